@@ -38,7 +38,7 @@ namespace conetact::analysis
     {
       using solvers::NodeState;
       std::vector<NodeState> states = state.node;
-      const double           moved  = solvers::largest(finding.u);
+      const double           moved  = solvers::largest(*finding.u);
       for (std::size_t i = 0; i < points.size(); ++i)
         {
           const pairing::ContactNode &node = *points[i].node;
@@ -134,10 +134,10 @@ namespace conetact::analysis
                     const Eigen::VectorXd  &w) const
   {
     AssertDimension(w.size(), model.coordinates.n_dofs());
-    AssertDimension(increment.forces.size(), w.size());
+    AssertDimension(increment.forces->size(), w.size());
     verification::Claim claim;
     claim.amounts    = amounts(increment);
-    claim.w          = w;
+    claim.w          = contact::borrowed(w);
     claim.r          = reactions(increment);
     claim.states     = increment.state.node;
     claim.loads      = increment.forces;
@@ -145,8 +145,8 @@ namespace conetact::analysis
     if (!model.bodies.cuts.empty())
       {
         const Eigen::VectorXd locks = model.lock_forces(claim.r);
-        claim.loads += locks;
-        claim.mechanical += locks;
+        claim.loads                 = contact::shared(*claim.loads + locks);
+        claim.mechanical = contact::shared(*claim.mechanical + locks);
       }
     claim.laws  = increment.load.laws;
     claim.worn  = increment.before.worn();
@@ -226,7 +226,7 @@ namespace conetact::analysis
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
   {
-    AssertDimension(finding.u.size(), model.coordinates.n_dofs());
+    AssertDimension(finding.u->size(), model.coordinates.n_dofs());
     const auto       &nodes = model.points.nodes();
     std::vector<bool> has_rows(nodes.size(), false);
     for (const contact::ContactPoint &point : model.points.all())
@@ -239,7 +239,7 @@ namespace conetact::analysis
         if (has_rows[i] || !node.is_active(increment.record.time))
           continue;
         const double gap =
-          node.gap + relative(node, finding.u, increment.record.time) * node.n;
+          node.gap + relative(node, *finding.u, increment.record.time) * node.n;
         if (gap < -least_depth * node.spacing)
           return "a support holds the contact node at " +
                  to_text(node.position) + " of body '" +
@@ -351,12 +351,17 @@ namespace conetact::analysis
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
-    if (const std::string why = unpaired.overlap(finding.u); !why.empty())
+    if (const std::string why = unpaired.overlap(*finding.u); !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
+    energies.add(share(),
+                 model.points,
+                 reactions(increment),
+                 record.time,
+                 verification.accepted_displacements(),
+                 finding,
+                 record);
     verification.accept(record.time, finding);
-    energies.add(
-      model.points, reactions(increment), record.time, finding, record);
     solvers::ContactState told = increment.state;
     // what has worn in the increment itself is no gap any more
     if (increment.load.laws)
@@ -388,9 +393,9 @@ namespace conetact::analysis
                                                        record.time),
                                       increment.state.r);
     warnings.check_size(amounts(increment), w);
-    records.observe(record, finding.u);
+    records.observe(record, *finding.u);
     if (drawn)
-      records.add_displacements(record, finding.u, w);
+      records.add_displacements(record, *finding.u, w);
     return "";
   }
 
@@ -407,7 +412,9 @@ namespace conetact::analysis
   {
     verification.save(archive);
     contact_rows.save(archive);
-    energies.save(archive, scene.support_names);
+    energies.save(archive,
+                  scene.support_names,
+                  verification.accepted_displacements());
     records.save(archive);
   }
 

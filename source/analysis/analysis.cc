@@ -272,6 +272,7 @@ namespace conetact::analysis
     Work work              = done;
     work.elastic           = model.work();
     work.load_integrations = loads.n_integrations();
+    work.elements          = model.elastic.n_visited();
     for (const auto &output : outputs)
       if (output)
         {

@@ -45,7 +45,7 @@ namespace conetact::analysis
                         run.model);
     return result && !result->admissible && laws->has_cones() ?
              "no equilibrium exists with the contacts that are active, " +
-               describe(*result, run.model, increment.mechanical) :
+               describe(*result, run.model, *increment.mechanical) :
              "";
   }
 
@@ -76,7 +76,7 @@ namespace conetact::analysis
              std::string("no equilibrium exists") +
                (contacts_change ? " with contacts as they were found, " :
                                   ", ") +
-               describe(result, run.model, increment.mechanical);
+               describe(result, run.model, *increment.mechanical);
   }
 
   std::optional<solvers::Existence>
@@ -113,7 +113,7 @@ namespace conetact::analysis
                                       problem.system->n_contact_unknowns()),
                                     run.scene.contact_names,
                                     run.model,
-                                    increment.mechanical) :
+                                    *increment.mechanical) :
                    "";
   }
 
@@ -132,7 +132,7 @@ namespace conetact::analysis
                                      run.model);
     return here && here->friction_needed ?
              "no equilibrium exists where bodies stand at its start, " +
-               describe(*here, run.model, increment.mechanical) +
+               describe(*here, run.model, *increment.mechanical) +
                ", and none is found where they go from there" :
              "";
   }

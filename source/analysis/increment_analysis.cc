@@ -13,6 +13,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace conetact::analysis
 {
@@ -168,7 +169,7 @@ namespace conetact::analysis
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 
-  Eigen::MatrixXd
+  std::vector<Eigen::VectorXd>
   IncrementAnalysis::deformations(const std::vector<PendingIncrement> &batch)
   {
     std::vector<const contact::LoadCase *> cases;
@@ -179,7 +180,9 @@ namespace conetact::analysis
         primal.push_back(increment.primal);
       }
     acceptance.set_stiffness(model.elasticity());
-    return model.elasticity().expand(cases, primal);
+    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
+    demand_equal(batch, w);
+    return {w.colwise().begin(), w.colwise().end()};
   }
 
   IncrementAnalysis::Step
@@ -190,15 +193,14 @@ namespace conetact::analysis
     solver.set_start_known(true);
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd w = deformations(batch);
-    demand_equal(batch, w);
+    std::vector<Eigen::VectorXd>         w = deformations(batch);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
     for (std::size_t i = 0;
          i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
       {
-        step = check(batch[i], w.col(static_cast<Eigen::Index>(i)));
+        step                  = check(batch[i], std::move(w[i]));
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
@@ -235,9 +237,9 @@ namespace conetact::analysis
                 k,
                 {failed(increment.record, why), !is_exact, false}};
       }
-    warn_of_nodes(increment, finding.u);
+    warn_of_nodes(increment, *finding.u);
     if (solver.search.is_needed())
-      solver.search.accept(finding.u, increment.record.time);
+      solver.search.accept(*finding.u, increment.record.time);
     // those after it started from what was not exact
     return {is_corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
             parts.others_follow() ? k : k + 1};

@@ -38,6 +38,7 @@ namespace conetact::analysis
   IncrementAnalysis::write_checkpoint()
   {
     n_saved = n_on_disk;
+    acceptance.gather();
     agree([&] {
       if (ProcessSession::speaks())
         write_archive();

@@ -300,7 +300,8 @@ namespace conetact::analysis
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
     const contact::Elasticity &elastic = run.model.elasticity();
-    contact::LoadCase change = elastic.reduce_unbalanced(finding.unbalanced);
+    contact::LoadCase          change =
+      elastic.reduce_unbalanced(run.acceptance.unbalanced(finding));
     elastic.add_missed(finding.displacements.head(
                          run.model.points.n_unknowns()) -
                          increment.contact,
@@ -442,6 +443,7 @@ namespace conetact::analysis
   void
   IncrementSolver::condense_from_here(const std::string &why)
   {
+    run.acceptance.gather();
     leave_to_first();
     if (!is_in_team())
       return;

@@ -107,8 +107,8 @@ namespace conetact::analysis
     pending.record.time = t;
     apply_loads(pending);
     Case result;
-    result.forces         = pending.forces;
-    result.mechanical     = pending.mechanical;
+    result.forces         = *pending.forces;
+    result.mechanical     = *pending.mechanical;
     result.each_load      = pending.record.each_load;
     result.load           = pending.load;
     Eigen::VectorXd start = result.load.offset;
@@ -267,8 +267,8 @@ namespace conetact::analysis
         return add_events(point);
       }
     PendingIncrement pending{history, history};
-    pending.forces                  = at.forces;
-    pending.mechanical              = at.mechanical;
+    pending.forces                  = contact::shared(at.forces);
+    pending.mechanical              = contact::shared(at.mechanical);
     pending.load                    = at.load;
     output::IncrementRecord &record = pending.record;
     record.each_load                = at.each_load;
@@ -351,7 +351,7 @@ namespace conetact::analysis
       {
         contact::Elasticity &elastic = model.elasticity();
         contact::LoadCase    change =
-          elastic.reduce_unbalanced(finding.unbalanced);
+          elastic.reduce_unbalanced(acceptance.unbalanced(finding));
         elastic.move_bound(finding.missed_by_bound, change);
         const Eigen::VectorXd refined =
           w + elastic.correction(change,

@@ -138,14 +138,14 @@ namespace conetact::analysis
         // The first node of a rigid body rotates, too.
         const auto         body  = bodies.n_elastic() + k;
         const Eigen::Index first = model.coordinates.offset(body);
-        for (unsigned int c = 0; c < bodies.structures[body]->n_components() &&
-                                 finding.u.size() > 0;
+        for (unsigned int c = 0;
+             c < bodies.structures[body]->n_components() && finding.u;
              ++c)
           if (c < bodies.dim)
-            record.obstacles[k].displacement[c] = finding.u[first + c];
+            record.obstacles[k].displacement[c] = (*finding.u)[first + c];
           else
             record.obstacles[k].rotation[bodies.dim == 2 ? 2 : c - 3] =
-              finding.u[first + c];
+              (*finding.u)[first + c];
       }
   }
 
@@ -159,7 +159,7 @@ namespace conetact::analysis
     for (const contact::Cut &cut : model.bodies.cuts)
       record.preloads.push_back(
         {-(finding.external.contacts[cut.contact].force * cut.axis),
-         finding.u.size() > 0 ? -model.opening(cut, finding.u) : 0.});
+         finding.u ? -model.opening(cut, *finding.u) : 0.});
   }
 
 

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <utility>
+
 namespace conetact::analysis
 {
   namespace
@@ -81,14 +83,16 @@ namespace conetact::analysis
     increment.record.each_load.clear();
     if (model.bodies.frames.empty())
       {
-        increment.forces     = acting.forces + others;
-        increment.mechanical = acting.mechanical + others;
+        increment.mechanical = contact::shared(acting.mechanical + others);
+        increment.forces     = acting.thermal.size() == 0 ?
+                                 increment.mechanical :
+                                 contact::shared(acting.forces + others);
         for (const auto &[force, moment] : acting.each)
           increment.record.each_load.push_back({force, moment});
       }
     else
       turn_loads(others, increment);
-    increment.load = model.load_case(increment.mechanical, acting.thermal, t);
+    increment.load = model.load_case(*increment.mechanical, acting.thermal, t);
     increment.wet.clear();
     set_laws(increment);
     if (const auto &laws = increment.load.laws)
@@ -114,8 +118,8 @@ namespace conetact::analysis
                          PendingIncrement      &increment)
   {
     const contact::Coordinates &coordinates = model.coordinates;
-    increment.forces                        = increment.mechanical =
-      coordinates.forces_in_frames(others);
+    Eigen::VectorXd             all = coordinates.forces_in_frames(others);
+    Eigen::VectorXd             mechanical = all;
     loads.visit(increment.record.time,
                 [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
                   Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());
@@ -123,9 +127,9 @@ namespace conetact::analysis
                     on_body;
                   if (!load.follows())
                     f = coordinates.forces_in_frames(f);
-                  increment.forces += f;
+                  all += f;
                   if (!load.strains())
-                    increment.mechanical += f;
+                    mechanical += f;
                   increment.record.each_load.push_back(
                     load.strains() ? // which balances
                       output::Resultant() :
@@ -133,5 +137,7 @@ namespace conetact::analysis
                                               coordinates,
                                               coordinates.forces_in_space(f)));
                 });
+    increment.forces     = contact::shared(std::move(all));
+    increment.mechanical = contact::shared(std::move(mechanical));
   }
 } // namespace conetact::analysis

@@ -285,7 +285,8 @@ namespace conetact::analysis
         if (code != goes_on)
           throw EndedByOther(code);
       form_team(static_cast<int>(ProcessSession::n_processes()));
-      const std::vector<Needs> needs = needs_of_processes();
+      const std::vector<Needs> needs =
+        needs_of_processes(built.analysis->work().elements);
       if (built.last_stage && built.analysis->leaves_small().empty())
         note_work(built.analysis->work(), needs, log);
       std::vector<double> numbers = {is_run_again ? 1. : 0.,

@@ -158,7 +158,7 @@ namespace conetact::analysis
         // A closed node claims a gap of zero, but for what gives way.
         moved[node.contact].push_back(
           {&node,
-           at(end.finding.u, node),
+           at(*end.finding.u, node),
            obstacle_motion(node, end.amounts, end.increment.record.time),
            open || node.is_bound() || node.layer || node.active ?
              node.gap + end.finding.displacements[point.normal()] :
@@ -196,9 +196,9 @@ namespace conetact::analysis
   {
     const contact::ContactPoints &points = model.points;
     const auto at = [&](const unsigned int body, const unsigned int i) {
-      return model.displacement(end.finding.u, body, i);
+      return model.displacement(*end.finding.u, body, i);
     };
-    DisplacedMasters masters(scene, model, end.finding.u);
+    DisplacedMasters masters(scene, model, *end.finding.u);
     // What has no force does no harm until it is inside the master.
     const auto stays_open = [&](const std::size_t i) {
       const pairing::ContactNode &node = *points.all()[i].node;
@@ -238,7 +238,7 @@ namespace conetact::analysis
                                       Found              &found) const
   {
     const auto at = [&](const unsigned int body, const unsigned int i) {
-      return model.displacement(end.finding.u, body, i);
+      return model.displacement(*end.finding.u, body, i);
     };
     for (const contact::ContactPoint &point : model.points)
       if (const pairing::ContactNode &node = *point.node; node.spring)
@@ -340,7 +340,7 @@ namespace conetact::analysis
           obstacle_motion(node, end.amounts, end.increment.record.time);
         const Tensor<1, 3> own = motion.relative(
           node.position,
-          model.displacement(end.finding.u, node.body, node.node));
+          model.displacement(*end.finding.u, node.body, node.node));
         if (const auto there =
               node.obstacle->shape->closest_if_any(node.position + own,
                                                    node.spacing))
@@ -358,7 +358,7 @@ namespace conetact::analysis
           {
             then.push_back(body.position(i));
             now.push_back(then.back() +
-                          model.displacement(end.finding.u, node.body, i));
+                          model.displacement(*end.finding.u, node.body, i));
           }
         change += (normal_of(now) - normal_of(then)) /
                   static_cast<double>(faces->second.size());

@@ -52,17 +52,21 @@ namespace conetact::analysis
     log.note("memory: " + megabytes(peak_memory()) + " at most");
     if (processes.size() > 1)
       {
-        std::string memory, time;
+        std::string memory, time, elements;
         for (const Needs &needs : processes)
           {
             const char *const comma = memory.empty() ? "" : ", ";
             memory += comma + megabytes(needs.peak_memory);
             time +=
               comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
+            elements += comma + std::to_string(std::llround(needs.elements));
           }
         log.note("memory of processes: " + memory);
         log.note("CPU of processes: " + time);
+        log.note("elements seen by processes: " + elements);
       }
+    else
+      log.note("elements seen: " + std::to_string(work.elements));
     log.note(describe(work));
   }
 } // namespace conetact::analysis

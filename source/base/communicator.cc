@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <thread>
 
@@ -175,10 +176,12 @@ namespace conetact
 
 
   Communicator::Counts
-  Communicator::count(const Eigen::Index own_bytes) const
+  Communicator::count(const Eigen::Index own_numbers) const
   {
+    Assert(own_numbers <= std::numeric_limits<int>::max() / n,
+           dealii::ExcMessage("An int counts the numbers of all."));
     Counts counts;
-    counts.own = static_cast<int>(own_bytes);
+    counts.own = static_cast<int>(own_numbers);
     counts.length.resize(at(n));
     MPI_Request request;
     MPI_Iallgather(&counts.own,
@@ -201,21 +204,26 @@ namespace conetact
 
 
   void
-  Communicator::gather_all(const void   *part,
-                           void         *all,
-                           const Counts &counts) const
+  Communicator::gather_all(const void       *part,
+                           void             *all,
+                           const Counts     &counts,
+                           const std::size_t bytes) const
   {
+    MPI_Datatype number;
+    MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &number);
+    MPI_Type_commit(&number);
     MPI_Request request;
     MPI_Iallgatherv(part,
                     counts.own,
-                    MPI_BYTE,
+                    number,
                     all,
                     counts.length.data(),
                     counts.start.data(),
-                    MPI_BYTE,
+                    number,
                     comm,
                     &request);
     wait_for(request);
+    MPI_Type_free(&number);
   }
 
 

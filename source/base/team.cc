@@ -296,7 +296,7 @@ namespace conetact
 
 
   std::vector<Needs>
-  needs_of_processes()
+  needs_of_processes(const std::uint64_t elements)
   {
     rusage usage;
     getrusage(RUSAGE_SELF, &usage);
@@ -304,13 +304,14 @@ namespace conetact
       return static_cast<double>(t.tv_sec) +
              1e-6 * static_cast<double>(t.tv_usec);
     };
-    Eigen::VectorXd own(2);
+    Eigen::VectorXd own(3);
     own << 1024. * static_cast<double>(usage.ru_maxrss),
-      seconds(usage.ru_utime) + seconds(usage.ru_stime);
+      seconds(usage.ru_utime) + seconds(usage.ru_stime),
+      static_cast<double>(elements);
     const Eigen::VectorXd found = team().gather_all(own);
     std::vector<Needs>    needs;
-    for (Eigen::Index p = 0; p < found.size(); p += 2)
-      needs.push_back({found(p), found(p + 1)});
+    for (Eigen::Index p = 0; p < found.size(); p += own.size())
+      needs.push_back({found(p), found(p + 1), found(p + 2)});
     return needs;
   }
 } // namespace conetact

@@ -5,6 +5,8 @@
 
 #include "conetact/base/atomic_file.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -48,6 +50,53 @@ namespace conetact::bodies
     for (unsigned int node = 0; node < body.n_nodes(); ++node)
       reach = std::max(reach, body.position(node).norm());
     return reach;
+  }
+
+  namespace
+  {
+    bool
+    has_some(const std::vector<unsigned int> &dofs,
+             const unsigned int               n_components,
+             const SomeNodes                 &nodes)
+    {
+      return std::any_of(dofs.begin(), dofs.end(), [&](const unsigned int dof) {
+        return nodes[dof / n_components];
+      });
+    }
+  } // namespace
+
+  void
+  Structure::for_each_element_at(const SomeNodes      &nodes,
+                                 const ElementVisitor &visit) const
+  {
+    AssertDimension(nodes.size(), n_nodes());
+    for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        if (has_some(dofs, n_components(), nodes))
+          visit(dofs, matrix);
+      });
+  }
+
+  void
+  Structure::for_each_connection_at(const SomeNodes         &nodes,
+                                    const ConnectionVisitor &visit) const
+  {
+    AssertDimension(nodes.size(), n_nodes());
+    for_each_connection([&](const std::vector<unsigned int> &dofs) {
+      if (has_some(dofs, n_components(), nodes))
+        visit(dofs);
+    });
+  }
+
+  std::size_t
+  Structure::add_internal_forces_at(const SomeNodes & /*nodes*/,
+                                    const Eigen::VectorXd &u,
+                                    Eigen::VectorXd       &f) const
+  {
+    add_internal_forces(u, f);
+    std::size_t n = 0;
+    for_each_connection([&n](const std::vector<unsigned int> &) { ++n; });
+    return n;
   }
 
   void

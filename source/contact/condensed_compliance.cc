@@ -391,7 +391,7 @@ namespace conetact::contact
                                const VectorXd &,
                                ElasticState &state) const
   {
-    state.start.resize(0); // reactions and motions are all there is
+    state.start.reset(); // reactions and motions are all there is
   }
 
   void

@@ -274,15 +274,14 @@ namespace conetact::contact
                           ElasticState                &state) const
   {
     if (end.u.size() == contact_system->n_unknowns())
-      state.start = end.u;
+      state.start = shared(end.u);
   }
 
   VectorXd
   CondensedStiffness::primal(const ElasticState &state, const VectorXd &) const
   {
-    return state.start.size() > 0 ?
-             state.start :
-             VectorXd::Zero(static_cast<Index>(own_unknown.size()));
+    return state.start ? *state.start :
+                         VectorXd::Zero(static_cast<Index>(own_unknown.size()));
   }
 
   void
@@ -301,13 +300,15 @@ namespace conetact::contact
                               const VectorXd            &q,
                               ElasticState              &state) const
   {
-    state.start = q;
+    VectorXd u = q;
     if (start.size() >= at(q.size()))
-      std::copy(start.end() - q.size(), start.end(), state.start.data());
-    if (state.motions.size() == 0)
-      return;
-    state.start += motions.seen() * state.motions;
-    state.motions.setZero();
-    state.base.setZero();
+      std::copy(start.end() - q.size(), start.end(), u.data());
+    if (state.motions.size() > 0)
+      {
+        u += motions.seen() * state.motions;
+        state.motions.setZero();
+        state.base.setZero();
+      }
+    state.start = shared(std::move(u));
   }
 } // namespace conetact::contact

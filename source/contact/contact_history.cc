@@ -148,7 +148,7 @@ namespace conetact::contact
   {
     archive.put("contact/q", q);
     archive.put("contact/r", r);
-    archive.put("contact/elastic", elastic.start);
+    archive.put("contact/elastic", numbers(elastic.start));
     archive.put("contact/a", elastic.motions);
     archive.put("contact/base", elastic.base);
     archive.put("contact/largest", largest);
@@ -205,8 +205,8 @@ namespace conetact::contact
   void
   ContactHistory::see_elasticity()
   {
-    model->elasticity().restore({elastic.start.data(),
-                                 elastic.start.data() + elastic.start.size()},
+    const Eigen::VectorXd &start = numbers(elastic.start);
+    model->elasticity().restore({start.data(), start.data() + start.size()},
                                 q,
                                 elastic);
   }

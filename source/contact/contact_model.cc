@@ -337,11 +337,11 @@ namespace conetact::contact
     if (!made || made->relink())
       return {};
     Eigen::VectorXd w;
-    if (why_not().empty() && state.start.size() > 0)
-      w = made->deformation(state.start);
+    if (why_not().empty() && state.start)
+      w = made->deformation(*state.start);
     made.reset(); // before there is another one
     if (w.size() > 0)
-      state.start = elasticity().nearby(w, Eigen::VectorXd());
+      state.start = shared(elasticity().nearby(w, Eigen::VectorXd()));
     return {};
   }
 
@@ -366,9 +366,10 @@ namespace conetact::contact
     if (!made || made->see_motions())
       return true;
     made.reset(); // before there is another one
-    state.start.resize(0);
+    state.start.reset();
     if (u.size() > 0)
-      state.start = elasticity().nearby(deformation(u, t), Eigen::VectorXd());
+      state.start =
+        shared(elasticity().nearby(deformation(u, t), Eigen::VectorXd()));
     return true;
   }
 

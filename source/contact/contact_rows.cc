@@ -104,14 +104,14 @@ namespace conetact::contact
   {
     AssertDimension(last.size(), model.points.all().size());
     const auto at = [&](const unsigned int body, const unsigned int node) {
-      return model.displacement(last_u, body, node);
+      return model.displacement(*last_u, body, node);
     };
     for (std::size_t i = 0; i < last.size(); ++i)
       {
         const ContactPoint         &point = model.points.all()[i];
         const pairing::ContactNode &node  = *point.node;
         place(node, last[i]);
-        if (last_u.size() == 0)
+        if (!last_u)
           continue;
         const Tensor<1, 3> v = relative_displacement(node, at, last_t);
         last[i].u            = in_frame(last[i], v);
@@ -123,7 +123,7 @@ namespace conetact::contact
   ContactRows::rows(const solvers::ContactState &state,
                     const Eigen::VectorXd       &q,
                     const Eigen::VectorXd       &r_bound,
-                    const Eigen::VectorXd       &u,
+                    const SharedVector          &u,
                     const double                 t,
                     const bool                   whole,
                     const KeptByLaws            &kept)
@@ -131,7 +131,7 @@ namespace conetact::contact
     AssertDimension(state.r.size(), model.points.n_unknowns());
     AssertDimension(r_bound.size(), model.points.n_bound_unknowns());
     AssertDimension(state.node.size(), model.points.size());
-    AssertDimension(u.size(), model.coordinates.n_dofs());
+    AssertDimension(u->size(), model.coordinates.n_dofs());
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     AssertDimension(q.size(), model.points.n_unknowns());
     const ContactPoints &points = model.points;
@@ -139,7 +139,7 @@ namespace conetact::contact
     r << state.r, r_bound;
     std::vector<output::ContactRow> rows = last;
     const auto at = [&](const unsigned int body, const unsigned int node) {
-      return model.displacement(u, body, node);
+      return model.displacement(*u, body, node);
     };
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
@@ -215,11 +215,11 @@ namespace conetact::contact
   }
 
   void
-  ContactRows::restore(const Archive         &archive,
-                       const Eigen::VectorXd &displacements,
-                       const double           t)
+  ContactRows::restore(const Archive      &archive,
+                       const SharedVector &displacements,
+                       const double        t)
   {
-    AssertDimension(displacements.size(), model.coordinates.n_dofs());
+    AssertDimension(displacements->size(), model.coordinates.n_dofs());
     last_u = displacements;
     last_t = t;
     std::vector<double>       gaps(last.size()), states(last.size());

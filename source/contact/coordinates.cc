@@ -40,10 +40,9 @@ namespace conetact::contact
   {
     // Few nodes have a rule or a point: null is the usual answer, and costs one
     // look.
-    rule_of_node.resize(n_nodes(), nullptr);
+    special_of_node.resize(n_nodes(), -1);
     for (const NodeRule &rule : node_rules.rules())
-      rule_of_node[number(rule.body, rule.node)] = &rule;
-    point_of_node.resize(n_nodes(), nullptr);
+      special(number(rule.body, rule.node)).rule = &rule;
     if (points != nullptr)
       {
         if (std::any_of(points->all().begin(),
@@ -73,7 +72,7 @@ namespace conetact::contact
   Coordinates::take(const ContactPoint &point)
   {
     const ContactPoint *&own =
-      point_of_node[number(point.node->body, point.node->node)];
+      special(number(point.node->body, point.node->node)).point;
     own = &point;
     if (bodies.frames.empty())
       return;
@@ -91,9 +90,9 @@ namespace conetact::contact
   {
     const std::size_t n    = number(point.node->body, point.node->node);
     const auto        held = [&](const Tensor<1, 3> &direction) {
-      if (rule_of_node[n] == nullptr)
+      if (what(n).rule == nullptr)
         return false;
-      const auto &all = rule_of_node[n]->held;
+      const auto &all = what(n).rule->held;
       return std::any_of(all.begin(), all.end(), [&](const HeldDirection &h) {
         return std::abs(h.direction * direction) > .5;
       });
@@ -115,7 +114,7 @@ namespace conetact::contact
           if (means)
             bind_middles(point, all_bound_directions.back());
         }
-    point_of_node[n] = &bound;
+    special(n).point = &bound;
   }
 
   /* Nodes in the middle move with their corners, along what is free there. */
@@ -128,7 +127,7 @@ namespace conetact::contact
     for (const auto &[middle, part] : means->middles(body, point.node->node))
       {
         Tensor<1, 3>    along = part * corner.direction;
-        const NodeRule *rule  = rule_of_node[number(body, middle)];
+        const NodeRule *rule  = what(number(body, middle)).rule;
         if (rule != nullptr)
           for (const HeldDirection &held : rule->held)
             along -= (along * held.direction) * held.direction;
@@ -143,7 +142,6 @@ namespace conetact::contact
   Coordinates::number_unknowns()
   {
     first_unknown.resize(n_nodes());
-    first_contact.resize(n_nodes(), -1);
     own_unknown.assign(static_cast<std::size_t>(n_dofs()), -1);
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
@@ -151,8 +149,8 @@ namespace conetact::contact
 
     for (const auto &[point, first] : axes.own())
       {
-        const unsigned int n = number(point->node->body, point->node->node);
-        first_contact[n]     = static_cast<int>(n_free + first);
+        const unsigned int n     = number(point->node->body, point->node->node);
+        special(n).first_contact = n_free + first;
         node_of_unknown.insert(node_of_unknown.end(), point->dual.size(), n);
       }
     set_n_unknowns(n_free + n_contact_unknowns());
@@ -163,7 +161,7 @@ namespace conetact::contact
   {
     const bodies::Structure &structure = *bodies.structures[body];
     const std::size_t        n         = number(body, node);
-    const NodeRule          *rule      = rule_of_node[n];
+    const NodeRule          *rule      = what(n).rule;
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = static_cast<int>(n_free);
     // Bodies that nothing reaches are not solved.
@@ -194,9 +192,9 @@ namespace conetact::contact
   const Coordinates::Directions *
   Coordinates::free_directions(const std::size_t n) const
   {
-    if (point_of_node[n] != nullptr)
-      return &point_of_node[n]->frictionless;
-    return rule_of_node[n] != nullptr ? &rule_of_node[n]->free : nullptr;
+    if (what(n).point != nullptr)
+      return &what(n).point->frictionless;
+    return what(n).rule != nullptr ? &what(n).rule->free : nullptr;
   }
 
   /* u = sum of q_k e_k over the free directions, and of v_k d_k over those with
@@ -215,13 +213,13 @@ namespace conetact::contact
                  times * directions[k][c]);
     };
     add(*free_directions(n), first_unknown[n], factor);
-    if (const ContactPoint *const point = point_of_node[n]; point != nullptr)
+    if (const ContactPoint *const point = what(n).point; point != nullptr)
       {
         const double part =
           factor / (means ? means->own_weight(*point->node) :
                             pairing::own_weight(*point->node));
-        if (first_contact[n] >= 0) // else it is bound
-          add(point->directions, first_contact[n], part);
+        if (what(n).first_contact >= 0) // else it is bound
+          add(point->directions, what(n).first_contact, part);
         append_others(*point, c, part);
       }
   }
@@ -320,7 +318,7 @@ namespace conetact::contact
             append_row(body, 0, k, factor * way);
         return;
       }
-    const NodeRule *const rule      = rule_of_node[number(body, node)];
+    const NodeRule *const rule      = what(number(body, node)).rule;
     const bool            is_middle = c < bodies.dim && corners(body, node);
     // Masters may be held themselves, or have a frame: their own rows know.
     if (rule != nullptr && c < bodies.dim && !is_middle &&
@@ -447,7 +445,7 @@ namespace conetact::contact
                           const DisplacementOf &displacement) const
   {
     Tensor<1, 3>    u;
-    const NodeRule *rule = rule_of_node[number(body, node)];
+    const NodeRule *rule = what(number(body, node)).rule;
     if (rule == nullptr)
       return u;
     // What hangs on a held node is moved with it.

@@ -6,17 +6,11 @@
 #include "conetact/bodies/element_forces.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/affine_constraints.templates.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace conetact::contact
 {
@@ -35,172 +29,6 @@ namespace conetact::contact
       for (unsigned int &dof : shifted)
         dof += static_cast<unsigned int>(offset);
       return shifted;
-    }
-
-    using Number  = dealii::types::global_dof_index;
-    using Numbers = std::vector<Number>;
-
-    /**
-     * The map u = C q as constraints: the numbers of dofs that are unknowns are
-     * these, all others stand behind the unknowns and depend on them.
-     */
-    class Constraints
-    {
-    public:
-      explicit Constraints(const LinearMap &c)
-        : n_unknowns(static_cast<Number>(c.n_unknowns()))
-        , coordinates(c)
-      {
-        for (Eigen::Index i = 0; i < coordinates.n_rows(); ++i)
-          if (coordinates.plain(i) < 0)
-            add(i);
-        affine.close();
-        n_numbers = n_unknowns + static_cast<Number>(affine.n_constraints());
-      }
-
-      /** Whether all of the element's dofs are unknowns. */
-      bool
-      find_numbers(const std::vector<unsigned int> &dofs, Numbers &found) const
-      {
-        found.clear();
-        bool are_plain = true;
-        for (const unsigned int dof : dofs)
-          {
-            found.push_back(number_of(dof));
-            are_plain = are_plain && found.back() < n_unknowns;
-          }
-        return are_plain;
-      }
-
-      const Number                      n_unknowns;
-      Number                            n_numbers;
-      dealii::AffineConstraints<double> affine;
-
-    private:
-      Number
-      number_of(const Eigen::Index dof) const
-      {
-        // LinearMap counts rows of the other kind downwards from -1.
-        const Eigen::Index plain = coordinates.plain(dof);
-        return static_cast<Number>(
-          plain >= 0 ? plain : coordinates.n_unknowns() - 1 - plain);
-      }
-      void
-      add(const Eigen::Index dof)
-      {
-        std::map<Number, double> entries; // an unknown may come twice
-        coordinates.for_row(dof,
-                            [&](const Eigen::Index unknown,
-                                const double       factor) {
-                              entries[static_cast<Number>(unknown)] += factor;
-                            });
-        const Number number = number_of(dof);
-        affine.add_line(number);
-        for (const auto &[unknown, factor] : entries)
-          affine.add_entry(number, unknown, factor);
-      }
-
-      const LinearMap &coordinates;
-    };
-
-    /** One element on the unknowns that it touches: a matrix for
-     * AffineConstraints to add to, of which it knows these rows and columns. */
-    class ReducedElement
-    {
-    public:
-      using value_type = double;
-      explicit ReducedElement(const Constraints &c)
-        : constraints(c)
-      {}
-      virtual ~ReducedElement() = default; // deal.II asks for its type
-      void
-      reinit(const LinearMap                 &coordinates,
-             const std::vector<unsigned int> &dofs)
-      {
-        unknowns.clear();
-        for (const unsigned int dof : dofs)
-          coordinates.for_row(dof, [&](const Eigen::Index unknown, double) {
-            unknowns.push_back(unknown);
-          });
-        std::sort(unknowns.begin(), unknowns.end());
-        unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
-                       unknowns.end());
-        matrix.assign(unknowns.size() * unknowns.size(), 0.);
-      }
-
-      Number
-      m() const
-      {
-        return constraints.n_numbers;
-      }
-      Number
-      n() const
-      {
-        return m();
-      }
-      void
-      add(const Number row, const Number column, const double value)
-      {
-        if (row < constraints.n_unknowns) // others have a diagonal only
-          matrix[place(row) * unknowns.size() + place(column)] += value;
-      }
-      void
-      add(const Number  row,
-          const Number  n_columns,
-          const Number *columns,
-          const double *values,
-          const bool /*elide_zero_values*/,
-          const bool /*columns_are_sorted*/)
-      {
-        for (Number k = 0; k < n_columns; ++k)
-          add(row, columns[k], values[k]);
-      }
-
-      std::vector<Eigen::Index> unknowns; ///< ascending
-      std::vector<double>       matrix;   ///< row by row
-
-    private:
-      std::size_t
-      place(const Number unknown) const
-      {
-        return static_cast<std::size_t>(
-          std::lower_bound(unknowns.begin(),
-                           unknowns.end(),
-                           static_cast<Eigen::Index>(unknown)) -
-          unknowns.begin());
-      }
-
-      const Constraints &constraints;
-    };
-
-    void
-    copy(const std::size_t           n,
-         const double               *matrix,
-         dealii::FullMatrix<double> &k)
-    {
-      if (k.m() != n)
-        k.reinit(n, n, /*omit_default_initialization=*/true);
-      k.fill(matrix);
-    }
-
-    /** Of the first unknowns, with a diagonal: an unknown that no element
-     * touches shall be found as singular by direct solvers. */
-    Eigen::SparseMatrix<double>
-    upper_triangle(const dealii::SparseMatrix<double> &all, const Number n)
-    {
-      Eigen::SparseMatrix<double> upper(n, n);
-      upper.reserve((all.n_nonzero_elements() + n) / 2);
-      for (Number q = 0; q < n; ++q)
-        {
-          upper.startVec(q);
-          // deal.II has the diagonal first, and then ascending columns.
-          for (auto entry = all.begin(q); entry != all.end(q); ++entry)
-            if (entry->column() < q)
-              upper.insertBack(entry->column(), q) = entry->value();
-          upper.insertBack(q, q) = all.diag_element(q);
-        }
-      upper.finalize();
-      return upper;
     }
 
     /**
@@ -261,34 +89,68 @@ namespace conetact::contact
       }
   }
 
-  void
-  ElasticSystem::for_each_element(const bodies::ElementVisitor &visit) const
+  bool
+  ElasticSystem::has_some(const Spring            &spring,
+                          const SomeNodesOfBodies *nodes) const
   {
-    std::vector<unsigned int> shifted;
-    for (std::size_t body = 0; body < bodies.structures.size(); ++body)
-      if (!bodies.is_at_rest(body))
-        bodies.structures[body]->for_each_element(
-          [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-            visit(among_all(dofs, dof_offset[body], shifted), matrix);
-          });
-    for (const Spring &spring : springs)
-      // Springs of foundations are elements of their body like others.
-      visit(spring.dofs, spring.matrix.data());
+    if (nodes == nullptr)
+      return true;
+    const unsigned int body = bodies.supports[spring.support].body;
+    const auto         n_c  = bodies.structures[body]->n_components();
+    const auto         from = static_cast<unsigned int>(dof_offset[body]);
+    return std::any_of(spring.dofs.begin(),
+                       spring.dofs.end(),
+                       [&](const unsigned int dof) {
+                         return (*nodes)[body][(dof - from) / n_c];
+                       });
   }
 
   void
-  ElasticSystem::for_each_connection(
-    const bodies::ConnectionVisitor &visit) const
+  ElasticSystem::for_each_element(const bodies::ElementVisitor &visit,
+                                  const SomeNodesOfBodies      *nodes) const
   {
     std::vector<unsigned int> shifted;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
-      if (!bodies.is_at_rest(body))
-        bodies.structures[body]->for_each_connection(
-          [&](const std::vector<unsigned int> &dofs) {
-            visit(among_all(dofs, dof_offset[body], shifted));
-          });
+      {
+        if (bodies.is_at_rest(body))
+          continue;
+        const auto see = [&](const std::vector<unsigned int> &dofs,
+                             const double                    *matrix) {
+          ++visited;
+          visit(among_all(dofs, dof_offset[body], shifted), matrix);
+        };
+        if (nodes == nullptr)
+          bodies.structures[body]->for_each_element(see);
+        else
+          bodies.structures[body]->for_each_element_at((*nodes)[body], see);
+      }
     for (const Spring &spring : springs)
-      visit(spring.dofs);
+      // Springs of foundations are elements of their body like others.
+      if (has_some(spring, nodes))
+        visit(spring.dofs, spring.matrix.data());
+  }
+
+  void
+  ElasticSystem::for_each_connection(const bodies::ConnectionVisitor &visit,
+                                     const SomeNodesOfBodies *nodes) const
+  {
+    std::vector<unsigned int> shifted;
+    for (std::size_t body = 0; body < bodies.structures.size(); ++body)
+      {
+        if (bodies.is_at_rest(body))
+          continue;
+        const auto see = [&](const std::vector<unsigned int> &dofs) {
+          ++visited;
+          visit(among_all(dofs, dof_offset[body], shifted));
+        };
+        if (nodes == nullptr)
+          bodies.structures[body]->for_each_connection(see);
+        else
+          bodies.structures[body]->for_each_connection_at((*nodes)[body], see);
+      }
+    for (const Spring &spring : springs)
+      if (has_some(spring, nodes))
+        visit(spring.dofs);
   }
 
   Eigen::VectorXd
@@ -300,7 +162,24 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::structure_forces(const Eigen::VectorXd &u) const
   {
+    SomeNodesOfBodies all;
+    for (const bodies::Structure *structure : bodies.structures)
+      all.emplace_back(structure->n_nodes(), true);
+    return structure_forces_at(all, u);
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::structure_forces_at(const SomeNodesOfBodies &nodes,
+                                     const Eigen::VectorXd   &u) const
+  {
     AssertDimension(u.size(), dof_offset.back());
+    AssertDimension(nodes.size(), bodies.structures.size());
+    if (bodies.structures.size() == 1 && !bodies.is_at_rest(0))
+      {
+        Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size());
+        visited += bodies.structures[0]->add_internal_forces_at(nodes[0], u, f);
+        return f;
+      }
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), part;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
@@ -310,15 +189,16 @@ namespace conetact::contact
         part.setZero(structure.n_dofs());
         // Bodies multiply by themselves: a continuum takes out what a cell
         // moves as a whole, which an assembled K u would round.
-        structure.add_internal_forces(u.segment(dof_offset[body], part.size()),
-                                      part);
+        visited += structure.add_internal_forces_at(
+          nodes[body], u.segment(dof_offset[body], part.size()), part);
         f.segment(dof_offset[body], part.size()) = part;
       }
     return f;
   }
 
   Eigen::VectorXd
-  ElasticSystem::terms(const Eigen::VectorXd &u) const
+  ElasticSystem::terms(const Eigen::VectorXd   &u,
+                       const SomeNodesOfBodies *nodes) const
   {
     AssertDimension(u.size(), dof_offset.back());
     const Eigen::VectorXd size = u.cwiseAbs();
@@ -331,7 +211,8 @@ namespace conetact::contact
         for (double &entry : magnitude)
           entry = std::abs(entry);
         bodies::multiply(dofs, magnitude.data(), size, local, sum);
-      });
+      },
+      nodes);
     return sum;
   }
 
@@ -430,71 +311,5 @@ namespace conetact::contact
                                all[s].forces);
         }
     return all;
-  }
-
-  void
-  for_each_connection(
-    const ElasticSystem                                          &system,
-    const LinearMap                                              &coordinates,
-    const std::function<void(const std::vector<Eigen::Index> &)> &visit)
-  {
-    const Constraints constraints(coordinates);
-    ReducedElement    element(constraints);
-    Numbers           numbers;
-    system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      if (constraints.find_numbers(dofs, numbers))
-        element.unknowns.assign(numbers.begin(), numbers.end());
-      else
-        element.reinit(coordinates, dofs);
-      visit(element.unknowns);
-    });
-  }
-
-  void
-  for_each_element(const ElasticSystem   &system,
-                   const LinearMap       &coordinates,
-                   const UnknownsVisitor &visit)
-  {
-    const Constraints          constraints(coordinates);
-    ReducedElement             element(constraints);
-    dealii::FullMatrix<double> k;
-    Numbers                    numbers;
-    system.for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // Most elements have no special node: they need no C^T k C.
-        if (constraints.find_numbers(dofs, numbers))
-          {
-            element.unknowns.assign(numbers.begin(), numbers.end());
-            visit(element.unknowns, matrix);
-            return;
-          }
-        element.reinit(coordinates, dofs);
-        copy(dofs.size(), matrix, k);
-        constraints.affine.distribute_local_to_global(k, numbers, element);
-        visit(element.unknowns, element.matrix.data());
-      });
-  }
-
-  Eigen::SparseMatrix<double>
-  assemble(const ElasticSystem &system, const LinearMap &coordinates)
-  {
-    const Constraints              constraints(coordinates);
-    Numbers                        numbers;
-    dealii::DynamicSparsityPattern entries(constraints.n_numbers);
-    system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      constraints.find_numbers(dofs, numbers);
-      constraints.affine.add_entries_local_to_global(numbers, entries, false);
-    });
-    dealii::SparsityPattern pattern;
-    pattern.copy_from(entries);
-    dealii::SparseMatrix<double> all(pattern);
-    dealii::FullMatrix<double>   k;
-    system.for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        constraints.find_numbers(dofs, numbers);
-        copy(dofs.size(), matrix, k);
-        constraints.affine.distribute_local_to_global(k, numbers, all);
-      });
-    return upper_triangle(all, constraints.n_unknowns);
   }
 } // namespace conetact::contact

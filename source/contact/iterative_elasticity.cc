@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace conetact::contact
 {
@@ -24,6 +25,8 @@ namespace conetact::contact
     /** Of the force that it takes to hold back what moves: to a tolerance of
      * 1e-10 of this, what is left of it is rounding. */
     constexpr double rounding_of_motion = 1e-3;
+
+    using SharedNodes = std::shared_ptr<const SomeNodesOfBodies>;
   } // namespace
 
   IterativeElasticity::IterativeElasticity(const ElasticSystem &e,
@@ -47,16 +50,25 @@ namespace conetact::contact
     VectorXd                  diagonal_of_dofs;
     if (!pins.empty() || n_bound > 0)
       diagonal_of_dofs = diagonal_of(elastic, coordinates.n_dofs());
-    const double pinned     = pins.empty() ? 0. : diagonal_of_dofs.mean();
-    given.elements.for_each = [&](const UnknownsVisitor &visit) {
-      for_each_element(elastic, coordinates, visit);
-      for (const Eigen::Index pin : pins)
-        visit({pin}, &pinned);
+    const double pinned  = pins.empty() ? 0. : diagonal_of_dofs.mean();
+    const auto   some_of = [&](const SharedNodes &nodes) {
+      iterative::Elements some;
+      some.for_each = [&, nodes](const UnknownsVisitor &visit) {
+        for_each_element(elastic, coordinates, visit, nodes.get());
+        for (const Eigen::Index pin : pins)
+          visit({pin}, &pinned);
+      };
+      some.for_each_connection = [&, nodes](const auto &visit) {
+        for_each_connection(elastic, coordinates, visit, nodes.get());
+        for (const Eigen::Index pin : pins)
+          visit({pin});
+      };
+      return some;
     };
-    given.elements.for_each_connection = [&](const auto &visit) {
-      for_each_connection(elastic, coordinates, visit);
-      for (const Eigen::Index pin : pins)
-        visit({pin});
+    given.elements           = some_of(nullptr);
+    given.elements.that_have = [&](const std::vector<bool> &unknowns) {
+      return some_of(std::make_shared<const SomeNodesOfBodies>(
+        nodes_of(elastic.bodies, coordinates, unknowns)));
     };
     given.node_of        = nodes_of_unknowns(coordinates);
     given.modes          = common_motions(elastic.bodies, coordinates);
@@ -190,8 +202,7 @@ namespace conetact::contact
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
     const VectorXd all       = forces - elastic.internal_forces(prescribed);
-    load.b                   = coordinates.restrict(all);
-    load.f                   = load.b;
+    load.f                   = coordinates.restrict(all);
     load.bound               = VectorXd::Zero(2 * n_bound);
     load.bound.head(n_bound) = restrict_bound(all);
   }
@@ -205,9 +216,7 @@ namespace conetact::contact
     if (offset.isZero(0))
       return;
     const VectorXd forces = elastic.internal_forces(expand_bound(offset));
-    const VectorXd b      = coordinates.restrict(forces);
-    load.b += b;
-    load.f += b;
+    load.f += coordinates.restrict(forces);
     load.bound.head(n_bound) += restrict_bound(forces);
     load.bound.tail(n_bound) -= offset;
     if (!further)
@@ -236,8 +245,7 @@ namespace conetact::contact
   IterativeElasticity::nothing() const
   {
     LoadCase load;
-    load.b     = VectorXd::Zero(coordinates.n_unknowns());
-    load.f     = load.b;
+    load.f     = VectorXd::Zero(coordinates.n_unknowns());
     load.bound = VectorXd::Zero(2 * n_bound);
     return load;
   }
@@ -282,8 +290,7 @@ namespace conetact::contact
   {
     AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
-    change.b                   = -coordinates.restrict(unbalanced);
-    change.f                   = change.b;
+    change.f                   = -coordinates.restrict(unbalanced);
     change.bound               = VectorXd::Zero(2 * n_bound);
     change.bound.head(n_bound) = -restrict_bound(unbalanced);
     return change;
@@ -377,20 +384,21 @@ namespace conetact::contact
   IterativeElasticity::end(const solvers::ContactState &end,
                            ElasticState                &state) const
   {
-    state.start = end.u;
     if (state.motions.size() == 0)
-      return;
-    const VectorXd more = motions_in(state.start);
-    state.start -= values_of_motions(more);
+      {
+        state.start = shared(end.u);
+        return;
+      }
+    const VectorXd more = motions_in(end.u);
+    state.start         = shared(end.u - values_of_motions(more));
     state.motions = state.base = state.base + more;
   }
 
   VectorXd
   IterativeElasticity::primal(const ElasticState &state, const VectorXd &) const
   {
-    return state.start.size() > 0 ?
-             state.start :
-             VectorXd::Zero(contact_system->large->n_unknowns());
+    return state.start ? *state.start :
+                         VectorXd::Zero(contact_system->large->n_unknowns());
   }
 
   void
@@ -407,10 +415,10 @@ namespace conetact::contact
                                const VectorXd &,
                                ElasticState &state) const
   {
-    state.start.resize(0);
-    const VectorXd none = primal(state, {});
-    if (start.size() == static_cast<std::size_t>(none.size()))
-      state.start = Eigen::Map<const VectorXd>(start.data(), none.size());
+    state.start.reset();
+    const Eigen::Index n = contact_system->large->n_unknowns();
+    if (start.size() == static_cast<std::size_t>(n))
+      state.start = shared(Eigen::Map<const VectorXd>(start.data(), n));
   }
 
   bool

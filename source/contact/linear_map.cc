@@ -5,6 +5,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
+
 namespace conetact::contact
 {
   void
@@ -43,6 +45,26 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < f.size(); ++i)
       for_row(i, [&](const Eigen::Index unknown, const double factor) {
         result[unknown] += factor * f[i];
+      });
+    return result;
+  }
+
+  LinearMap::SomeUnknowns
+  LinearMap::restrict_rows(const Eigen::Index     begin,
+                           const Eigen::VectorXd &f) const
+  {
+    Assert(begin + f.size() <= n_rows(), dealii::ExcMessage("Rows are some."));
+    Eigen::Index first = columns, end = 0;
+    for (Eigen::Index i = 0; i < f.size(); ++i)
+      for_row(begin + i, [&](const Eigen::Index unknown, double) {
+        first = std::min(first, unknown);
+        end   = std::max(end, unknown + 1);
+      });
+    SomeUnknowns result{
+      first, Eigen::VectorXd::Zero(std::max<Eigen::Index>(end - first, 0))};
+    for (Eigen::Index i = 0; i < f.size(); ++i)
+      for_row(begin + i, [&](const Eigen::Index unknown, const double factor) {
+        result.values[unknown - first] += factor * f[i];
       });
     return result;
   }

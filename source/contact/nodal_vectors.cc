@@ -60,28 +60,27 @@ namespace conetact::contact
 
 
   Eigen::VectorXd
-  NodalVectors::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
+  NodalVectors::map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const
   {
     Assert(x.size() == n_dofs() || x.size() == 0,
            dealii::ExcMessage("Vectors are those of all dofs, or empty."));
-    Eigen::VectorXd result = x;
     if (!bodies.frames.empty() && x.size() > 0)
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
         for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
           {
             const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
             for (unsigned int c = 0; c < bodies.dim; ++c)
-              result[dof(body, i) + c] = v[c];
+              x[dof(body, i) + c] = v[c];
           }
-    return result;
+    return std::move(x);
   }
 
 
 
   Eigen::VectorXd
-  NodalVectors::displacements(const Eigen::VectorXd &u) const
+  NodalVectors::displacements(Eigen::VectorXd u) const
   {
-    return map_nodes(u,
+    return map_nodes(std::move(u),
                      [&](const unsigned int  body,
                          const unsigned int  node,
                          const Tensor<1, 3> &v) {
@@ -92,9 +91,9 @@ namespace conetact::contact
 
 
   Eigen::VectorXd
-  NodalVectors::in_frames(const Eigen::VectorXd &u) const
+  NodalVectors::in_frames(Eigen::VectorXd u) const
   {
-    return map_nodes(u,
+    return map_nodes(std::move(u),
                      [&](const unsigned int  body,
                          const unsigned int  node,
                          const Tensor<1, 3> &v) {
@@ -105,9 +104,9 @@ namespace conetact::contact
 
 
   Eigen::VectorXd
-  NodalVectors::forces_in_space(const Eigen::VectorXd &f) const
+  NodalVectors::forces_in_space(Eigen::VectorXd f) const
   {
-    return map_nodes(f,
+    return map_nodes(std::move(f),
                      [&](const unsigned int body,
                          const unsigned int,
                          const Tensor<1, 3> &v) {
@@ -118,9 +117,9 @@ namespace conetact::contact
 
 
   Eigen::VectorXd
-  NodalVectors::forces_in_frames(const Eigen::VectorXd &f) const
+  NodalVectors::forces_in_frames(Eigen::VectorXd f) const
   {
-    return map_nodes(f,
+    return map_nodes(std::move(f),
                      [&](const unsigned int body,
                          const unsigned int,
                          const Tensor<1, 3> &v) {

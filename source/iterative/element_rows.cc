@@ -212,7 +212,7 @@ namespace conetact::iterative
                      const std::vector<int> &p,
                      const int               own_begin,
                      const int               own_end)
-        : elements(e)
+        : elements(needed_for(own_unknowns(p, own_begin, own_end), e))
         , places(p)
         , begin(own_begin)
         , end(own_end)
@@ -248,6 +248,16 @@ namespace conetact::iterative
       }
 
     private:
+      static std::vector<bool>
+      own_unknowns(const std::vector<int> &places,
+                   const int               begin,
+                   const int               end)
+      {
+        std::vector<bool> own;
+        for (const int p : places)
+          own.push_back(p >= begin && p < end);
+        return own;
+      }
       bool
       is_own(const int place) const
       {
@@ -268,7 +278,7 @@ namespace conetact::iterative
         return any;
       }
 
-      const Elements         &elements;
+      const Elements          elements;
       const std::vector<int> &places;
       const int               begin, end;
     };

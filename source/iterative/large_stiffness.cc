@@ -38,25 +38,45 @@ namespace conetact::iterative
       std::vector<int> first; ///< of each process, and behind the last one
     };
 
-    /** Nodes of each process: what elements bring to their rows is its work. */
+    /** What elements bring to the rows of nodes; each process looks at those of
+     * its share of nodes. */
+    Eigen::VectorXd
+    work_of_nodes(const LargeStiffness   &given,
+                  const std::size_t       n_nodes,
+                  const std::vector<int> &node,
+                  const Communicator     &processes)
+    {
+      const auto [begin, end] =
+        share_of(static_cast<Index>(n_nodes), processes);
+      std::vector<bool> own;
+      for (const int i : node)
+        own.push_back(i >= begin && i < end);
+      Eigen::VectorXd work = Eigen::VectorXd::Zero(end - begin);
+      needed_for(own, given.elements)
+        .for_each_connection([&, first = begin](const auto &unknowns) {
+          for (const Index q : unknowns)
+            if (own[at(q)])
+              work[node[at(q)] - first] += static_cast<double>(unknowns.size());
+        });
+      return processes.gather_all(work);
+    }
+
+    /** Nodes of each process, which have about the same work. */
     std::vector<int>
     parts_of_nodes(const LargeStiffness            &given,
                    const std::vector<unsigned int> &nodes,
                    const std::vector<int>          &node,
-                   const int                        n_parts)
+                   const Communicator              &processes)
     {
-      if (n_parts == 1)
+      if (processes.size() == 1)
         return std::vector<int>(nodes.size(), 0);
+      const Eigen::VectorXd work =
+        work_of_nodes(given, nodes.size(), node, processes);
       std::vector<WeighedNode> weighed;
       for (const unsigned int i : nodes)
-        weighed.push_back({given.position(i), 0});
-      given.elements.for_each_connection(
-        [&](const std::vector<Index> &unknowns) {
-          for (const Index q : unknowns)
-            weighed[at(node[at(q)])].weight +=
-              static_cast<double>(unknowns.size());
-        });
-      return partition(weighed, n_parts);
+        weighed.push_back(
+          {given.position(i), work[static_cast<Index>(weighed.size())]});
+      return partition(weighed, processes.size());
     }
 
     /** Nodes of each part in an order that serves products. */
@@ -113,14 +133,16 @@ namespace conetact::iterative
     }
 
     Places
-    find_places(const LargeStiffness &given, const int block, const int n_parts)
+    find_places(const LargeStiffness &given,
+                const int             block,
+                const Communicator   &processes)
     {
       const auto [nodes, node] = number_nodes(given.node_of);
-      const auto       part    = parts_of_nodes(given, nodes, node, n_parts);
+      const auto       part    = parts_of_nodes(given, nodes, node, processes);
       Places           places;
       std::vector<int> next(nodes.size()); // place of each node
       int              n = 0;
-      for (const auto &own : sort_nodes(given, nodes, part, n_parts))
+      for (const auto &own : sort_nodes(given, nodes, part, processes.size()))
         {
           places.first.push_back(n);
           for (const int i : own)
@@ -152,7 +174,7 @@ namespace conetact::iterative
     public:
       explicit SharedSystem(LargeStiffness &&given)
         : processes(processes_of(given))
-        , places(find_places(given, block, processes.size()))
+        , places(find_places(given, block, processes))
         , begin(places.first[at(processes.rank())])
         , end(places.first[at(processes.rank()) + 1])
       {

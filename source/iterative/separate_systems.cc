@@ -178,6 +178,14 @@ namespace conetact::iterative
               visit(own);
           });
         };
+      if (elements.that_have)
+        part.that_have = [number, all = elements.that_have](
+                           const std::vector<bool> &unknowns) {
+          std::vector<bool> among_all(number->size(), false);
+          for (std::size_t q = 0; q < number->size(); ++q)
+            among_all[q] = (*number)[q] >= 0 && unknowns[at((*number)[q])];
+          return part_of(all(among_all), number);
+        };
       return part;
     }
 

@@ -450,8 +450,8 @@ namespace conetact::verification
     constexpr double largest_lever = 1e4; // of what acts, and what is strained
     if (bound_stiffness.size() == 0)
       return;
-    double cause = solvers::largest(claim.loads) +
-                   bound_stiffness.maxCoeff() * solvers::largest(claim.w);
+    double cause = solvers::largest(*claim.loads) +
+                   bound_stiffness.maxCoeff() * solvers::largest(*claim.w);
     for (const contact::Foundation &foundation : out.foundations)
       cause = std::max(cause, solvers::largest(foundation.forces));
     bool strained = false;
@@ -463,7 +463,7 @@ namespace conetact::verification
           continue;
         if (!strained) // only where it matters: bound nodes of thin bodies
                        // give way more than what is pressed there is strained
-          cause += solvers::largest(elastic.terms(claim.w));
+          cause += solvers::largest(elastic.terms(*claim.w));
         strained = true;
         if (force <= largest_lever * cause)
           continue;

@@ -13,11 +13,12 @@ namespace conetact::verification
     using Eigen::VectorXd;
 
     /** Mean of both forces times the change of the displacement. */
+    template <typename Forces, typename Displacements>
     double
-    trapezoid(const VectorXd &f0,
-              const VectorXd &f1,
-              const VectorXd &u0,
-              const VectorXd &u1)
+    trapezoid(const Forces        &f0,
+              const Forces        &f1,
+              const Displacements &u0,
+              const Displacements &u1)
     {
       return .5 * (f0 + f1).dot(u1 - u0);
     }
@@ -45,7 +46,7 @@ namespace conetact::verification
           {
             fill(before[s].forces, f.forces.size());
             fill(before[s].ground, f.forces.size());
-            record.strain_energy += .5 * f.forces.dot(f.ground - finding.u);
+            record.strain_energy += .5 * f.forces.dot(f.ground - *finding.u);
             record.external_work +=
               trapezoid(before[s].forces, f.forces, before[s].ground, f.ground);
           }
@@ -53,29 +54,34 @@ namespace conetact::verification
   } // namespace
 
   void
-  Energies::add(const contact::ContactPoints &points,
+  Energies::add(const contact::DofShare      &share,
+                const contact::ContactPoints &points,
                 const VectorXd               &r,
                 const double                  t,
+                const contact::SharedVector  &u,
                 const Finding                &finding,
                 output::IncrementRecord      &record)
   {
     AssertDimension(r.size(), points.n_all_unknowns());
-    AssertDimension(finding.u.size(), finding.acting.size());
+    AssertDimension(finding.acting.size(), share.size());
     AssertDimension(finding.change.size(), r.size());
     AssertDimension(finding.change_as_before.size(), r.size());
     Assert(last_nodes.empty() || last_nodes.size() == points.all().size(),
            dealii::ExcMessage("Contacts keep their order where they slide."));
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    fill(last_u, finding.u.size());
     fill(last_forces, finding.acting.size());
+    if (last_forces.size() != share.size())
+      last_forces = share.of(last_forces).eval();
     fill(last_r, r.size());
     const bool is_first = last_reactions.empty();
     last_reactions.resize(points.all().size());
     last_foundations.resize(finding.foundations.size());
 
     record.strain_energy = finding.strain_energy;
+    const auto now       = share.of(*finding.u);
     record.external_work =
-      trapezoid(last_forces, finding.acting, last_u, finding.u);
+      share.sum(u ? trapezoid(last_forces, finding.acting, share.of(*u), now) :
+                    .5 * (last_forces + finding.acting).dot(now));
     add_foundations(finding, last_foundations, record);
     record.dissipation = record.contact_work_normal = 0;
     for (std::size_t i = 0; i < points.all().size(); ++i)
@@ -108,12 +114,18 @@ namespace conetact::verification
         record.contact_work_normal += work(point.first + nt, 1);
         last_reactions[i] = reaction;
       }
-    last_u           = finding.u;
     last_forces      = finding.acting;
     last_foundations = finding.foundations;
     last_r           = r;
     last_t           = t;
     remember_nodes(points);
+  }
+
+  void
+  Energies::gather(const contact::DofShare &share)
+  {
+    if (last_forces.size() == share.size())
+      last_forces = share.gather(last_forces);
   }
 
   void
@@ -127,9 +139,10 @@ namespace conetact::verification
 
   void
   Energies::save(Archive                        &archive,
-                 const std::vector<std::string> &supports) const
+                 const std::vector<std::string> &supports,
+                 const contact::SharedVector    &u) const
   {
-    archive.put("energies/u", last_u);
+    archive.put("energies/u", contact::numbers(u));
     archive.put("energies/forces", last_forces);
     archive.put("energies/t", last_t);
     archive.put("energies/r", last_r);
@@ -155,7 +168,6 @@ namespace conetact::verification
       archive.fill(name, value);
       return static_cast<std::size_t>(value);
     };
-    archive.fill_any("energies/u", last_u);
     archive.fill_any("energies/forces", last_forces);
     archive.fill("energies/t", last_t);
     archive.fill_any("energies/r", last_r);

@@ -94,27 +94,71 @@ namespace conetact::verification
         balance.arms += (p - centres[body]).norm() * force.norm();
       }
 
-      /** Forces on all dofs, nodes of one body or of all. */
+      /** Forces on all dofs, of nodes of this process. */
       void
-      act(output::Resultant          &resultant,
-          const contact::Coordinates &plain,
-          const Eigen::VectorXd      &forces)
+      act(output::Resultant       &resultant,
+          const contact::DofShare &share,
+          const Eigen::VectorXd   &forces)
       {
-        for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+        share.for_each_node([&](const unsigned int body,
+                                const unsigned int i,
+                                const Eigen::Index dof) {
+          act(resultant,
+              body,
+              bodies.position(body, i),
+              at_node(forces, dof, bodies.dim),
+              moment_at_node(forces,
+                             dof,
+                             bodies.dim,
+                             bodies.structures[body]->n_components()));
+        });
+      }
+
+      /** What all processes have collected. */
+      void
+      gather(const contact::DofShare &share)
+      {
+        if (!share.is_shared())
+          return;
+        std::vector<double *> sums, largest;
+        const auto            add = [&](output::Resultant &resultant) {
+          for (Tensor<1, 3> *const v : {&resultant.force, &resultant.moment})
+            for (unsigned int d = 0; d < 3; ++d)
+              sums.push_back(&(*v)[d]);
+        };
+        for (Balance &balance : all.bodies)
           {
-            const bodies::Structure &structure = *bodies.structures[body];
-            const unsigned int       n_c       = structure.n_components();
-            Eigen::Index             dof       = plain.offset(body);
-            for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
-              act(resultant,
-                  body,
-                  bodies.position(body, i),
-                  at_node(forces, dof, bodies.dim),
-                  moment_at_node(forces, dof, bodies.dim, n_c));
+            add(balance.sum);
+            sums.insert(sums.end(),
+                        {&balance.forces, &balance.moments, &balance.arms});
+            largest.insert(largest.end(),
+                           {&balance.largest, &balance.largest_moment});
           }
+        for (auto *const list : {&all.contacts, &all.masters, &all.supports})
+          for (output::Resultant &resultant : *list)
+            add(resultant);
+        add(all.loads);
+        take(share.sum(numbers_at(sums)), sums);
+        take(share.largest(numbers_at(largest)), largest);
       }
 
     private:
+      static Eigen::VectorXd
+      numbers_at(const std::vector<double *> &places)
+      {
+        Eigen::VectorXd numbers(static_cast<Eigen::Index>(places.size()));
+        std::transform(places.begin(),
+                       places.end(),
+                       numbers.begin(),
+                       [](const double *place) { return *place; });
+        return numbers;
+      }
+      static void
+      take(const Eigen::VectorXd &numbers, const std::vector<double *> &places)
+      {
+        for (std::size_t k = 0; k < places.size(); ++k)
+          *places[k] = numbers[static_cast<Eigen::Index>(k)];
+      }
       bool
       is_cut(const unsigned int body) const
       {
@@ -128,15 +172,18 @@ namespace conetact::verification
 
     /** Forces along what supports hold, each by the first that holds it. */
     void
-    collect_supports(const contact::Bodies      &bodies,
-                     const contact::Coordinates &plain,
-                     const Eigen::VectorXd      &rest,
-                     Collector                  &collector,
-                     ExternalForces             &all)
+    collect_supports(const ActedOn         &on,
+                     const Eigen::VectorXd &rest,
+                     Collector             &collector,
+                     ExternalForces        &all)
     {
-      for (const contact::NodeRule &rule : plain.rules().rules())
+      const contact::Bodies &bodies = on.bodies;
+      for (const contact::NodeRule &rule : on.plain.rules().rules())
         {
-          const Eigen::Index dof   = plain.dof(rule.body, rule.node);
+          const Eigen::Index of_all = on.plain.dof(rule.body, rule.node);
+          if (!on.share.has(of_all))
+            continue;
+          const Eigen::Index dof   = of_all - on.share.begin();
           const Point<3>     p     = bodies.position(rule.body, rule.node);
           const Tensor<1, 3> force = at_node(rest, dof, bodies.dim);
           // K w less all that acts is what a rigid support must add. Free
@@ -180,66 +227,89 @@ namespace conetact::verification
     return std::max(moments, least * arms);
   }
 
+  namespace
+  {
+    void
+    collect_contacts(const ActedOn         &on,
+                     const Eigen::VectorXd &r,
+                     Collector             &collector,
+                     ExternalForces        &all)
+    {
+      for (const contact::ContactPoint &point : on.points.all())
+        {
+          const pairing::ContactNode &node = *point.node;
+          if (node.contact >= all.contacts.size())
+            {
+              all.contacts.resize(node.contact + 1);
+              all.masters.resize(node.contact + 1);
+            }
+          if (!on.share.is_first())
+            continue; // all know them, one counts
+          const Tensor<1, 3> force = contact::force_of(point, r);
+          // The opposite force, shared as the displacements of the masters are:
+          // no work is lost where the gap stays as it is. Slaves come first.
+          const auto act = [&](output::Resultant &side,
+                               const unsigned int body,
+                               const unsigned int i,
+                               const double       weight) {
+            collector.act(side,
+                          body,
+                          on.bodies.position(body, i),
+                          weight * force);
+          };
+          pairing::for_each_slave(
+            node, [&](const unsigned int i, const double weight) {
+              act(all.contacts[node.contact], node.body, i, weight);
+            });
+          for (const auto &[i, weight] : node.masters)
+            act(all.masters[node.contact], node.master, i, -weight);
+          if (node.opening)
+            act(all.masters[node.contact], *node.opening, 0, -1);
+        }
+    }
+  } // namespace
+
+
+
   output::Resultant
   resultant(const contact::Bodies      &bodies,
             const contact::Coordinates &plain,
             const Eigen::VectorXd      &forces)
   {
     AssertDimension(forces.size(), plain.n_dofs());
-    ExternalForces all;
-    Collector(bodies, all).act(all.loads, plain, forces);
+    ExternalForces          all;
+    Collector               collector(bodies, all);
+    const contact::DofShare share(bodies, plain);
+    collector.act(all.loads, share, forces);
+    collector.gather(share);
     return all.loads;
   }
 
+
+
   ExternalForces
-  external_forces(const contact::Bodies                  &bodies,
-                  const contact::Coordinates             &plain,
-                  const contact::ContactPoints           &points,
+  external_forces(const ActedOn                          &on,
                   const Eigen::VectorXd                  &rest,
                   const std::vector<contact::Foundation> &foundations,
                   const Eigen::VectorXd                  &loads,
                   const Eigen::VectorXd                  &r)
   {
-    AssertDimension(rest.size(), plain.n_dofs());
-    AssertDimension(loads.size(), plain.n_dofs());
-    AssertDimension(r.size(), points.n_all_unknowns());
-    Assert(foundations.size() <= bodies.supports.size(),
+    AssertDimension(rest.size(), on.share.size());
+    AssertDimension(loads.size(), on.plain.n_dofs());
+    AssertDimension(r.size(), on.points.n_all_unknowns());
+    Assert(foundations.size() <= on.bodies.supports.size(),
            dealii::ExcMessage("A foundation belongs to a support."));
     ExternalForces all;
     all.held.setZero(rest.size());
-    all.supports.resize(bodies.supports.size());
-    Collector collector(bodies, all);
-    for (const contact::ContactPoint &point : points.all())
-      {
-        const pairing::ContactNode &node = *point.node;
-        if (node.contact >= all.contacts.size())
-          {
-            all.contacts.resize(node.contact + 1);
-            all.masters.resize(node.contact + 1);
-          }
-        const Tensor<1, 3> force = contact::force_of(point, r);
-        // The opposite force, shared as the displacements of the masters are:
-        // no work is lost where the gap stays as it is. Slaves come first.
-        const auto act = [&](output::Resultant &side,
-                             const unsigned int body,
-                             const unsigned int i,
-                             const double       weight) {
-          collector.act(side, body, bodies.position(body, i), weight * force);
-        };
-        pairing::for_each_slave(
-          node, [&](const unsigned int i, const double weight) {
-            act(all.contacts[node.contact], node.body, i, weight);
-          });
-        for (const auto &[i, weight] : node.masters)
-          act(all.masters[node.contact], node.master, i, -weight);
-        if (node.opening)
-          act(all.masters[node.contact], *node.opening, 0, -1);
-      }
-    collect_supports(bodies, plain, rest, collector, all);
+    all.supports.resize(on.bodies.supports.size());
+    Collector collector(on.bodies, all);
+    collect_contacts(on, r, collector, all);
+    collect_supports(on, rest, collector, all);
     for (std::size_t s = 0; s < foundations.size(); ++s)
       if (foundations[s].forces.size() > 0)
-        collector.act(all.supports[s], plain, foundations[s].forces);
-    collector.act(all.loads, plain, loads);
+        collector.act(all.supports[s], on.share, foundations[s].forces);
+    collector.act(all.loads, on.share, loads);
+    collector.gather(on.share);
     return all;
   }
 } // namespace conetact::verification

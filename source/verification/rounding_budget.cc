@@ -104,13 +104,13 @@ namespace conetact::verification
                           VectorXd          &rounding) const
   {
     AssertIndexRange(body, bodies.structures.size());
-    AssertDimension(claim.loads.size(), plain.n_dofs());
+    AssertDimension(claim.loads->size(), plain.n_dofs());
     Assert(carried.size() == 0 || carried.size() == plain.n_dofs(),
            dealii::ExcMessage("Rounding at all dofs, or none."));
     const Index first = plain.offset(body);
     const Index n     = plain.offset(body + 1) - first;
     if (balance.forces + balance.largest_moment == 0 ||
-        (claim.mechanical.segment(first, n).array() != 0).any())
+        (claim.mechanical->segment(first, n).array() != 0).any())
       return 0;
     const auto is_turn = [&](const unsigned int b, const Index dof) {
       return (dof - plain.offset(b)) % bodies.structures[b]->n_components() >=
@@ -119,14 +119,14 @@ namespace conetact::verification
     double largest[2] = {0, 0}; // of forces and of moments
     for (Index i = first; i < first + n; ++i)
       largest[is_turn(body, i)] =
-        std::max(largest[is_turn(body, i)], std::abs(claim.loads[i]));
+        std::max(largest[is_turn(body, i)], std::abs((*claim.loads)[i]));
     if (balance.largest <= noise_of_thermal * largest[0] &&
         balance.largest_moment <= noise_of_thermal * largest[1])
       return noise_of_thermal * largest[0];
     if (balance.error() <= tolerance)
       return 0;
     if (rounding.size() == 0) // only where it may matter
-      rounding = 8 * epsilon * elastic.terms(claim.w) + of_supports(claim.t);
+      rounding = 8 * epsilon * elastic.terms(*claim.w) + of_supports(claim.t);
     double sum[2] = {0, 0};
     for (Index i = first; i < first + n; ++i)
       sum[is_turn(body, i)] += rounding[i];
@@ -158,19 +158,22 @@ namespace conetact::verification
 
 
   void
-  RoundingBudget::forget(VectorXd &rest, Finding &out) const
+  RoundingBudget::forget(const contact::DofShare &share,
+                         VectorXd                &rest,
+                         Finding                 &out) const
   {
     AssertDimension(out.rounding.size(), bodies.structures.size());
-    AssertDimension(rest.size(), plain.n_dofs());
+    AssertDimension(rest.size(), share.size());
     const auto is_idle = [&](const unsigned int body) {
       return out.rounding[body] > 0;
     };
     for (unsigned int body = 0; body < out.rounding.size(); ++body)
       if (is_idle(body))
         {
-          const Index first = plain.offset(body);
-          const Index n     = plain.offset(body + 1) - first;
-          rest.segment(first, n).setZero();
+          const Index first     = plain.offset(body);
+          const Index n         = plain.offset(body + 1) - first;
+          const auto [from, to] = share.within(first, first + n);
+          rest.segment(from - share.begin(), to - from).setZero();
           for (contact::Foundation &foundation : out.foundations)
             if (foundation.forces.size() > 0)
               foundation.forces.segment(first, n).setZero();

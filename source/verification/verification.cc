@@ -92,34 +92,38 @@ namespace conetact::verification
 
 
   Scales
-  Verification::scales(const Claim &claim, const Finding &out) const
+  Verification::scales(const Claim   &claim,
+                       const Finding &out,
+                       const Share   &share) const
   {
-    Scales scales;
+    // of each body: load, way, coordinate
+    const auto n_bodies = static_cast<Index>(bodies.structures.size());
+    VectorXd   own      = VectorXd::Zero(3 * n_bodies);
+    share.for_each_node(
+      [&](const unsigned int body, const unsigned int i, const Index dof) {
+        const auto raise = [&](const int kind, const double size) {
+          double &largest = own[3 * static_cast<Index>(body) + kind];
+          largest         = std::max(largest, size);
+        };
+        // Thermal forces cancel by themselves. They are a scale of equilibrium
+        // at nodes, never of balance or law.
+        raise(0, claim.loads->segment(dof, bodies.dim).norm());
+        raise(1, out.u->segment(dof, bodies.dim).norm());
+        raise(2, bodies.structures[body]->position(i).norm());
+      });
+    const VectorXd largest = share.largest(own);
+    Scales         scales;
     scales.history  = largest_force;
     scales.rounding = out.rounding;
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+    for (Index body = 0; body < n_bodies; ++body)
       {
-        const bodies::Structure &structure    = *bodies.structures[body];
-        const unsigned int       n_c          = structure.n_components();
-        Index                    dof          = plain.offset(body);
-        double                   largest_load = 0, coordinate = 0, moved = 0;
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
-          {
-            const auto size = [&](const VectorXd &f) {
-              return f.segment(dof, bodies.dim).norm();
-            };
-            // Thermal forces cancel by themselves. They are a scale of
-            // equilibrium at nodes, never of balance or law.
-            largest_load = std::max(largest_load, size(claim.loads));
-            moved        = std::max(moved, size(out.u));
-            coordinate   = std::max(coordinate, structure.position(i).norm());
-          }
-        scales.force.push_back(out.external.bodies[body].largest);
-        scales.nodal.push_back(std::max(scales.force.back(), largest_load));
+        const auto b = static_cast<std::size_t>(body);
+        scales.force.push_back(out.external.bodies[b].largest);
+        scales.nodal.push_back(
+          std::max(scales.force.back(), largest[3 * body]));
         // Positions are known to the rounding of what they are sums of.
-        scales.reach.push_back(coordinate + moved);
-        scales.history[body] =
-          std::max(scales.history[body], scales.nodal.back());
+        scales.reach.push_back(largest[3 * body + 2] + largest[3 * body + 1]);
+        scales.history[b] = std::max(scales.history[b], scales.nodal.back());
       }
     // bodies are solved together: what is small beside others has their noise
     scales.noise =
@@ -129,54 +133,83 @@ namespace conetact::verification
 
 
 
-  void
-  Verification::check_nodes(const Claim  &claim,
-                            const Scales &scales,
-                            Finding      &out) const
+  Verification::Unbalanced
+  Verification::worst_node(const Claim  &claim,
+                           const Scales &scales,
+                           const Share  &share,
+                           Finding      &out) const
   {
-    AssertDimension(out.unbalanced.size(), plain.n_dofs());
+    AssertDimension(out.unbalanced.size(), share.size());
     AssertDimension(out.rounding.size(), bodies.structures.size());
     // C^T (K w - f - H^T r): what no support takes up, with the forces of
     // hanging nodes at their masters.
-    VectorXd free = plain.restrict(out.unbalanced), terms;
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      {
-        const unsigned int n_c = bodies.structures[body]->n_components();
-        for (Index dof = plain.offset(body); dof < plain.offset(body + 1);
-             ++dof)
-          {
-            const bool turns = (dof - plain.offset(body)) % n_c >= bodies.dim;
-            plain.for_row(dof, [&](const Index unknown, double) {
-              // A moment becomes a force by the extent of the body.
-              const double error =
-                std::abs(free[unknown]) / (turns ? 2 * motions.size(body) : 1.);
-              const double scale = scales.nodal[body];
-              if (error <= std::max(.1 * scales.noise, out.rounding[body]))
-                return;
-              // Far below the limit there is no need for |K| |w|.
-              if (error <= .1 * tolerance * scale)
-                {
-                  out.equilibrium = std::max(out.equilibrium, error / scale);
-                  return;
-                }
-              if (terms.size() == 0) // only where they may matter
-                terms = elastic.terms(claim.w);
-              // The rounding of K w is no fault of the solution. As w carries
-              // no rigid motion this is no loophole: a body that floats away
-              // gains nothing by it.
-              double left = error - 8 * eps * terms[dof] - scales.noise;
-              if (out.carried.size() > 0)
-                left -= out.carried[dof];
-              const double e  = relative(left, scale);
-              out.equilibrium = std::max(out.equilibrium, e);
-              if (e > tolerance && out.why.empty())
-                out.why = "forces at a node of body '" + bodies.names[body] +
-                          "' are out of balance by " + to_text(e) +
-                          " of the largest force on a node of it" +
-                          loose_pieces(*bodies.structures[body]);
-            });
-          }
-      }
+    const auto free = plain.restrict_rows(share.begin(), out.unbalanced);
+    VectorXd   terms;
+    Unbalanced first_wrong; // as bodies and nodes have their order
+    const auto look_at = [&](const unsigned int body,
+                             const Index        dof,
+                             const bool         turns,
+                             const Index        unknown) {
+      // A moment becomes a force by the extent of the body.
+      const double error =
+        std::abs(free[unknown]) / (turns ? 2 * motions.size(body) : 1.);
+      const double scale = scales.nodal[body];
+      if (error <= std::max(.1 * scales.noise, out.rounding[body]))
+        return;
+      // Far below the limit there is no need for |K| |w|.
+      if (error <= .1 * tolerance * scale)
+        {
+          out.equilibrium = std::max(out.equilibrium, error / scale);
+          return;
+        }
+      if (terms.size() == 0) // only where they may matter
+        {
+          const auto nodes = share.nodes();
+          terms            = elastic.terms(*claim.w, &nodes);
+        }
+      // The rounding of K w is no fault of the solution. As w carries no rigid
+      // motion this is no loophole: a body that floats away gains nothing by
+      // it.
+      double left = error - 8 * eps * terms[dof] - scales.noise;
+      if (out.carried.size() > 0)
+        left -= out.carried[dof];
+      const double e  = relative(left, scale);
+      out.equilibrium = std::max(out.equilibrium, e);
+      if (e > tolerance && first_wrong.error == 0)
+        first_wrong = {e, body};
+    };
+    share.for_each_node(
+      [&](const unsigned int body, const unsigned int, const Index dof) {
+        for (unsigned int c = 0; c < bodies.structures[body]->n_components();
+             ++c)
+          plain.for_row(dof + c, [&](const Index unknown, double) {
+            look_at(body, dof + c, c >= bodies.dim, unknown);
+          });
+      });
+    return first_wrong;
+  }
+
+
+
+  void
+  Verification::check_nodes(const Claim  &claim,
+                            const Scales &scales,
+                            const Share  &share,
+                            Finding      &out) const
+  {
+    const Unbalanced own = worst_node(claim, scales, share, out);
+    const auto       all = share.columns(Eigen::Vector3d(
+      out.equilibrium, own.error, static_cast<double>(own.body)));
+    out.equilibrium      = all.row(0).maxCoeff();
+    for (const auto &found : all.colwise())
+      if (found[1] > 0 && out.why.empty())
+        {
+          const auto body = static_cast<std::size_t>(found[2]);
+          out.why         = "forces at a node of body '" + bodies.names[body] +
+                    "' are out of balance by " + to_text(found[1]) +
+                    " of the largest force on a node of it" +
+                    loose_pieces(*bodies.structures[body]);
+        }
   }
 
 
@@ -214,27 +247,29 @@ namespace conetact::verification
   void
   Verification::find_changes(const double t, Finding &out) const
   {
-    AssertDimension(out.u.size(), plain.n_dofs());
+    AssertDimension(out.u->size(), plain.n_dofs());
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    out.displacements = relative_displacements(points.all(), out.u, t);
+    out.displacements = relative_displacements(points.all(), *out.u, t);
     out.change        = out.displacements;
-    if (last.u.size() > 0)
+    if (last.u)
       // of the same nodes and foots, where they were
-      out.change -= relative_displacements(points.all(), last.u, last.t);
+      out.change -= relative_displacements(points.all(), *last.u, last.t);
     out.change_as_before = out.change;
     if (!last.points.empty())
       out.change_as_before =
-        relative_displacements(last.points, out.u, t) -
-        relative_displacements(last.points, last.u, last.t);
+        relative_displacements(last.points, *out.u, t) -
+        relative_displacements(last.points, *last.u, last.t);
   }
 
 
 
   void
-  Verification::subtract_reactions(const VectorXd &r, VectorXd &forces) const
+  Verification::subtract_reactions(const VectorXd &r,
+                                   const Share    &share,
+                                   VectorXd       &forces) const
   {
     AssertDimension(r.size(), points.n_all_unknowns());
-    AssertDimension(forces.size(), plain.n_dofs());
+    AssertDimension(forces.size(), share.size());
     for (const contact::ContactPoint &point : points.all())
       {
         const Tensor<1, 3> force = contact::force_of(point, r);
@@ -242,65 +277,69 @@ namespace conetact::verification
                                [&](const unsigned int body,
                                    const unsigned int node,
                                    const double       weight) {
+                                 const Index dof = plain.dof(body, node);
+                                 if (!share.has(dof))
+                                   return;
                                  const Tensor<1, 3> f =
                                    bodies.in_frame(body, weight * force);
                                  for (unsigned int c = 0; c < bodies.dim; ++c)
-                                   forces[plain.dof(body, node) + c] -= f[c];
+                                   forces[dof - share.begin() + c] -= f[c];
                                });
       }
   }
 
 
 
-  Finding
-  Verification::judge(const Claim &claim) const
+  VectorXd
+  Verification::find_rest(const Claim &claim,
+                          const Share &share,
+                          Finding     &out) const
   {
-    AssertDimension(claim.w.size(), plain.n_dofs());
-    AssertDimension(claim.r.size(), points.n_all_unknowns());
-    AssertDimension(claim.loads.size(), plain.n_dofs());
-    AssertDimension(claim.mechanical.size(), plain.n_dofs());
-    AssertDimension(claim.states.size(), points.size());
-    Assert(!claim.laws ||
-             claim.worn.size() == static_cast<Index>(points.size()),
-           dealii::ExcMessage("What has laws knows the depths of its wear."));
-    Finding out;
-    if (!claim.amounts.allFinite() || !claim.w.allFinite() ||
-        !claim.r.allFinite())
-      {
-        out.why      = "its displacements or forces are not finite";
-        out.residual = out.equilibrium =
-          std::numeric_limits<double>::infinity();
-        return out;
-      }
     // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
     // nobody computes it.
-    out.u = plain.displacements(motions.field(claim.amounts) + claim.w);
-    out.foundations   = elastic.foundations(out.u, claim.t);
-    VectorXd rest     = elastic.structure_forces(claim.w);
-    out.strain_energy = .5 * claim.w.dot(rest);
-    rest -= claim.loads;
+    VectorXd u = motions.field(claim.amounts);
+    u += *claim.w;
+    out.u           = contact::shared(plain.displacements(std::move(u)));
+    out.foundations = elastic.foundations(*out.u, claim.t);
+    VectorXd rest =
+      share.of(elastic.structure_forces_at(share.nodes(), *claim.w));
+    out.strain_energy = .5 * share.sum(share.of(*claim.w).dot(rest));
+    rest -= share.of(*claim.loads);
     for (const contact::Foundation &foundation : out.foundations)
       if (foundation.forces.size() > 0)
-        rest -= foundation.forces;
-    subtract_reactions(claim.r, rest);
-    out.unbalanced = rest;
-    // Reactions of supports are read at the nodes that carry them.
-    plain.unhang(rest);
-    out.r              = claim.r;
-    out.carried        = budget.of_springs(out);
+        rest -= share.of(foundation.forces);
+    subtract_reactions(claim.r, share, rest);
+    return rest;
+  }
+
+
+
+  void
+  Verification::collect_forces(const Claim &claim,
+                               const Share &share,
+                               VectorXd    &rest,
+                               Finding     &out) const
+  {
+    const auto in_space = [&](const VectorXd &f, VectorXd &room) -> auto &
+    {
+      if (bodies.frames.empty())
+        return f;
+      room = plain.forces_in_space(f);
+      return std::as_const(room);
+    };
+    VectorXd   rest_in_space, loads_in_space;
     const auto collect = [&] {
-      out.external = external_forces(bodies,
-                                     plain,
-                                     points,
-                                     plain.forces_in_space(rest),
-                                     out.foundations,
-                                     plain.forces_in_space(claim.mechanical),
-                                     out.r);
+      out.external =
+        external_forces({bodies, plain, points, share},
+                        in_space(rest, rest_in_space),
+                        out.foundations,
+                        in_space(*claim.mechanical, loads_in_space),
+                        out.r);
     };
     collect();
     if (budget.find(claim, out))
       {
-        budget.forget(rest, out);
+        budget.forget(share, rest, out);
         collect();
         for (std::size_t body = 0; body < out.rounding.size(); ++body)
           if (out.rounding[body] > 0)
@@ -308,13 +347,48 @@ namespace conetact::verification
       }
     // Thermal forces are loads here: K w balances them as well, and the energy
     // of w contains their work.
-    out.acting = plain.forces_in_space(claim.loads) + out.external.held;
+    out.acting =
+      share.of(in_space(*claim.loads, loads_in_space)) + out.external.held;
+  }
+
+
+
+  Finding
+  Verification::judge(const Claim &claim) const
+  {
+    AssertDimension(claim.w->size(), plain.n_dofs());
+    AssertDimension(claim.r.size(), points.n_all_unknowns());
+    AssertDimension(claim.loads->size(), plain.n_dofs());
+    AssertDimension(claim.mechanical->size(), plain.n_dofs());
+    AssertDimension(claim.states.size(), points.size());
+    Assert(!claim.laws ||
+             claim.worn.size() == static_cast<Index>(points.size()),
+           dealii::ExcMessage("What has laws knows the depths of its wear."));
+    Finding out;
+    if (!claim.amounts.allFinite() || !claim.w->allFinite() ||
+        !claim.r.allFinite())
+      {
+        out.why      = "its displacements or forces are not finite";
+        out.residual = out.equilibrium =
+          std::numeric_limits<double>::infinity();
+        return out;
+      }
+    const Share share(bodies, plain);
+    VectorXd    rest = find_rest(claim, share, out);
+    out.unbalanced   = rest;
+    // Reactions of supports are read at the nodes that carry them; where some
+    // follow others nothing is shared.
+    if (!share.is_shared())
+      plain.unhang(rest);
+    out.r       = claim.r;
+    out.carried = budget.of_springs(out);
+    collect_forces(claim, share, rest, out);
     find_changes(claim.t, out);
     out.missed_by_bound = out.displacements.tail(points.n_bound_unknowns()) +
                           points.gaps_to_close();
-    const Scales limits = scales(claim, out);
+    const Scales limits = scales(claim, out, share);
     out.largest_force   = limits.nodal;
-    check_nodes(claim, limits, out);
+    check_nodes(claim, limits, share, out);
     check_bodies(limits, out);
     law.check(claim, limits, out);
     return out;
@@ -325,7 +399,7 @@ namespace conetact::verification
   void
   Verification::save(Archive &archive) const
   {
-    archive.put("verification/u", last.u);
+    archive.put("verification/u", contact::numbers(last.u));
     archive.put("verification/t", last.t);
     archive.put("verification/history", largest_force);
     budget.save(archive);
@@ -336,8 +410,9 @@ namespace conetact::verification
   void
   Verification::restore(const Archive &archive)
   {
-    last.u.setZero(plain.n_dofs());
-    archive.fill("verification/u", last.u);
+    VectorXd u = VectorXd::Zero(plain.n_dofs());
+    archive.fill("verification/u", u);
+    last.u = contact::shared(std::move(u));
     archive.fill("verification/t", last.t);
     archive.fill("verification/history", largest_force);
     budget.restore(archive);

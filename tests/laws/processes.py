@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Neither the number of processes of mpirun nor how nodes are shared among them changes a result."""
+import csv
 import os
 import re
 import signal
@@ -18,6 +19,18 @@ ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_R
 ITERATIVE = ("-s", "Solver/Backend=iterative")
 
 
+def same_increments(laws, one, many):
+    """Resultants and energies, sums over what each process has verified."""
+    kinds = (re.compile("_f_[xyz]$"), re.compile("_m_[xyz]$"), re.compile("^(strain_energy|external_work|dissipation|contact_work_normal)$"))
+    tables = [list(csv.DictReader((run.folder / "increments.csv").open())) for run in (one, many)]
+    worst = 0.0
+    for kind in kinds:
+        pairs = [(float(a[name]), float(b[name])) for a, b in zip(*tables) for name in a if kind.search(name)]
+        worst = max(worst, max(abs(a - b) for a, b in pairs) / max(max(abs(a) for a, _ in pairs), 1e-300))
+    laws.demand("  as many increments", len(tables[0]) == len(tables[1]) > 0)
+    laws.check("  resultants and energies", worst, 1e-9)
+
+
 def compare(laws, what, scene, *numbers, says="they share the linear systems"):
     """Tables of one process and of several ones."""
     arguments = ITERATIVE
@@ -25,6 +38,7 @@ def compare(laws, what, scene, *numbers, says="they share the linear systems"):
     for n in numbers:
         many = laws.run(scene, *arguments, "--processes", str(n))
         laws.same(f"{what}, {n} processes", one, many, 1e-8)
+        same_increments(laws, one, many)
         log = (many.folder / "log.txt").read_text()
         found = re.search(r"^memory of processes: (.*)$", log, re.M)
         laws.demand(f"  there were {n}", found and len(found[1].split(", ")) == n)
@@ -63,6 +77,27 @@ def tables(laws):
     compare(laws, "2D, node to face", pair(2, "node to face"), 3)
     compare(laws, "3D, a bolt that is tightened and locked", flanged(3, **{"Preload locked from": 1}), 2)
     compare(laws, "3D, a ball that moves over a layer", merge(ball(), {"Body layer": box((13, 6, 5), (3.6, 1.6, .8), (-1.8, -.8, -.8))}), 2)
+
+
+def seen(run):
+    """Elements that each process has looked at."""
+    return [int(n) for n in re.search(r"^elements seen(?: by processes)?: (.*)$", (run.folder / "log.txt").read_text(), re.M)[1].split(", ")]
+
+
+def shares(laws, numbers):
+    """What is done with elements is done by those processes that have their nodes: those between two processes are both's."""
+    layers, cells = 40, (8, 8, 40)
+    scene = merge(press_and_shear(3, cells=cells, increments=2), {"Solver": {"Backend": "iterative"}, "Output": {"VTU": 0}})
+    one = seen(laws.run(scene))
+    whole = 8 * 8 * layers
+    laws.demand(f"elements seen by one process: {one[0]}", len(one) == 1 and one[0] > 0 and one[0] % whole == 0)
+    for n in numbers:
+        many = seen(laws.run(scene, "--processes", str(n)))
+        mean, largest = sum(many) / n, max(many)
+        # many look at all once more, to part them; of its nodes a process may have parts of two layers, and meets one layer on each side
+        most = (one[0] + whole) * (1 / n + 3 / layers)
+        laws.demand(f"of {n} processes: {many}, {largest / mean:.3f} times the mean at most", len(many) == n and largest <= 1.15 * mean)
+        laws.demand(f"  the largest is {largest / (one[0] + whole):.3f} of all", largest <= most)
 
 
 def start(laws, n, *arguments, **options):
@@ -161,7 +196,20 @@ def alone(laws):
     laws.demand("  the log says so", "From here on bodies are condensed" in (many.folder / "log.txt").read_text())
 
 
+def continued(laws):
+    """A checkpoint has what all processes know together, whatever their number is then."""
+    scene = press_and_shear(3, cells=(11, 8, 8))
+    whole = laws.run(scene, *ITERATIVE)
+    checkpoint = ("-s", "Output/Checkpoint=1")
+    part = laws.run(scene, *ITERATIVE, *checkpoint, "-s", "Time/End=2", "-s", "Time/Increments=2", "--processes", "2")
+    rest = laws.run(scene, *ITERATIVE, *checkpoint, "--restart", part.folder, "--processes", "3")
+    laws.same("begun by two processes, continued by three", whole, rest, 1e-8)
+    same_increments(laws, whole, rest)
+
+
 def four(laws):
+    shares(laws, (4,))
+    continued(laws)
     compare(laws, "3D", press_and_shear(3, cells=(11, 8, 8), increments=2), 4)
     compare(laws, "3D, more processes than are worth it", press_and_shear(3, cells=(7, 7, 8), increments=2), 4)
 
@@ -178,6 +226,7 @@ def seven(laws):
 
 def processes(laws):
     tables(laws)
+    shares(laws, (2, 3))
     alone(laws)
     endings(laws)
     killed(laws)

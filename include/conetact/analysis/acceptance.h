@@ -32,6 +32,13 @@ namespace conetact::analysis
     /** `w`: deformation of all dofs at the end of the increment. */
     verification::Finding
     judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    /** Forces that are left at all dofs; all processes of the team call this.
+     */
+    Eigen::VectorXd
+    unbalanced(const verification::Finding &finding) const
+    {
+      return share().gather(finding.unbalanced);
+    }
     /** The end of the increment that came last. */
     double
     accepted_time() const
@@ -53,6 +60,13 @@ namespace conetact::analysis
              const Eigen::VectorXd       &w,
              const bool                   drawn);
 
+    /** All processes of the team know all of it then: before it is saved, and
+     * before some leave. */
+    void
+    gather()
+    {
+      energies.gather(share());
+    }
     /** What of it is kept in a checkpoint, and taken from one again. */
     void
     save(Archive &archive) const;
@@ -72,7 +86,7 @@ namespace conetact::analysis
     const Eigen::VectorXd &
     accepted_displacements() const
     {
-      return verification.accepted_displacements();
+      return contact::numbers(verification.accepted_displacements());
     }
     /** Contacts of the model were found again. */
     void
@@ -98,6 +112,12 @@ namespace conetact::analysis
     amounts(const PendingIncrement &increment) const;
 
   private:
+    /** The dofs of this process. */
+    contact::DofShare
+    share() const
+    {
+      return {model.bodies, model.coordinates};
+    }
     /** Of all rigid motions. */
     verification::Claim
     claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;

@@ -63,7 +63,8 @@ namespace conetact::analysis
     /** Recovers displacements, checks and writes. */
     Step
     finish(std::vector<PendingIncrement> &batch);
-    Eigen::MatrixXd
+    /** Of each, the deformation of all dofs: the same on all processes. */
+    std::vector<Eigen::VectorXd>
     deformations(const std::vector<PendingIncrement> &batch);
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);

@@ -5,6 +5,7 @@
 #define conetact_analysis_pending_increment_h
 
 #include "conetact/contact/contact_history.h"
+#include "conetact/contact/shared_vector.h"
 #include "conetact/output/output.h"
 
 namespace conetact::analysis
@@ -22,8 +23,8 @@ namespace conetact::analysis
     contact::ContactHistory before, after;
 
     output::IncrementRecord record     = {};
-    Eigen::VectorXd         forces     = {}; ///< nodal loads, all dofs
-    Eigen::VectorXd         mechanical = {}; ///< those without thermal ones
+    contact::SharedVector   forces     = {}; ///< nodal loads, all dofs
+    contact::SharedVector   mechanical = {}; ///< those without thermal ones
     contact::LoadCase       load       = {};
     solvers::ContactState   state      = {};
     Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns

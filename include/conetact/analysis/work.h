@@ -10,6 +10,7 @@
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_problem.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace conetact::analysis
     unsigned int         dense_factorizations = 0; ///< of contact unknowns
     unsigned int         krylov               = 0; ///< iterations without them
     unsigned int         load_integrations    = 0;
+    std::uint64_t        elements = 0; ///< that this process has looked at
     output::OutputWork   outputs;
 
     void
@@ -36,7 +38,8 @@ namespace conetact::analysis
   std::string
   describe(const Work &work);
 
-  /** The same with memory, and what many processes needed, to the log. */
+  /** The same with memory, elements and what many processes needed, to the
+   * log. */
   void
   note_work(const Work &work, const std::vector<Needs> &processes, Log &log);
 } // namespace conetact::analysis

@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace conetact
@@ -68,9 +69,12 @@ namespace conetact
     {
       if (n == 1)
         return part;
-      const Counts counts = count(part.size() * scalar<Vector>);
-      Vector       all(counts.total / scalar<Vector>);
-      gather_all(part.data(), all.data(), counts);
+      const Counts counts = count(part.size());
+      Vector       all(counts.total);
+      gather_all(part.data(),
+                 all.data(),
+                 counts,
+                 sizeof(typename Vector::Scalar));
       return all;
     }
     /** What the first process has, of any length. */
@@ -99,25 +103,36 @@ namespace conetact
     exchange(const std::vector<std::vector<int>> &lists) const;
 
   private:
-    /** Bytes from and to each process. */
+    /** Numbers from and to each process. */
     struct Counts
     {
       std::vector<int> length, start;
       int              total = 0, own = 0;
     };
-    template <typename Vector>
-    static constexpr int scalar = sizeof(typename Vector::Scalar);
-
     Counts
-    count(const Eigen::Index own_bytes) const;
+    count(const Eigen::Index own_numbers) const;
+    /** Of numbers of so many bytes each: messages count numbers, of which there
+     * may be as many as an int counts. */
     void
-    gather_all(const void *part, void *all, const Counts &counts) const;
+    gather_all(const void       *part,
+               void             *all,
+               const Counts     &counts,
+               const std::size_t bytes) const;
     void
     broadcast(void *x, const std::size_t bytes) const;
 
     int      n = 1, own = 0;
     MPI_Comm comm = MPI_COMM_NULL;
   };
+
+  /** Of n things, those from the first number to before the second: as many as
+   * others have, but for one. */
+  inline std::pair<Eigen::Index, Eigen::Index>
+  share_of(const Eigen::Index n, const Communicator &processes)
+  {
+    return {n * processes.rank() / processes.size(),
+            n * (processes.rank() + 1) / processes.size()};
+  }
 } // namespace conetact
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "conetact/base/communicator.h"
 
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -93,10 +94,12 @@ namespace conetact
   {
     double peak_memory = 0; ///< [bytes]
     double cpu_seconds = 0;
+    double elements    = 0; ///< that it has looked at
   };
-  /** Of each process of the team. */
+  /** Of each process of the team, of which this one has looked at so many
+   * elements. */
   std::vector<Needs>
-  needs_of_processes();
+  needs_of_processes(const std::uint64_t elements);
 } // namespace conetact
 
 #endif

@@ -156,6 +156,9 @@ namespace conetact::bodies
   using ConnectionVisitor =
     std::function<void(const std::vector<unsigned int> &dofs)>;
 
+  /** Whether each node of a body is one of some that are meant. */
+  using SomeNodes = std::vector<bool>;
+
   /**
    * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
    * drawing. Displacement component c of node i is dof
@@ -233,6 +236,24 @@ namespace conetact::bodies
      */
     virtual void
     add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const = 0;
+
+    /** @name Elements that have a node of some
+     * As above, in the same order: what many processes share. By default all
+     * elements are looked at.
+     * @{ */
+    virtual void
+    for_each_element_at(const SomeNodes      &nodes,
+                        const ElementVisitor &visit) const;
+    virtual void
+    for_each_connection_at(const SomeNodes         &nodes,
+                           const ConnectionVisitor &visit) const;
+    /** f += K u at these nodes, and anything at others. Returns how many
+     * elements were multiplied. */
+    virtual std::size_t
+    add_internal_forces_at(const SomeNodes       &nodes,
+                           const Eigen::VectorXd &u,
+                           Eigen::VectorXd       &f) const;
+    /** @} */
 
     /**
      * How far a node of an element moves relative to the first one of it, at

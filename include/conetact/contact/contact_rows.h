@@ -6,6 +6,7 @@
 
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/contact/shared_vector.h"
 #include "conetact/output/output.h"
 
 #include <vector>
@@ -48,7 +49,7 @@ namespace conetact::contact
     rows(const solvers::ContactState &state,
          const Eigen::VectorXd       &q,
          const Eigen::VectorXd       &r_bound,
-         const Eigen::VectorXd       &u,
+         const SharedVector          &u,
          const double                 t,
          const bool                   whole = true,
          const KeptByLaws            &kept  = {});
@@ -65,9 +66,9 @@ namespace conetact::contact
     void
     save(Archive &archive) const;
     void
-    restore(const Archive         &archive,
-            const Eigen::VectorXd &displacements,
-            const double           t);
+    restore(const Archive      &archive,
+            const SharedVector &displacements,
+            const double        t);
 
     /** Before the first increment: gaps, and nothing else. */
     std::vector<output::ContactRow>
@@ -98,8 +99,8 @@ namespace conetact::contact
     std::vector<output::ContactRow> last;         ///< of the increment before
     std::vector<Tensor<1, 3>>       other_before; ///< its displacements along
                                                   ///< directions without a cone
-    Eigen::VectorXd last_u; ///< of all dofs then; empty: the start
-    double          last_t = 0;
+    SharedVector last_u; ///< of all dofs then; none: the start
+    double       last_t = 0;
   };
 } // namespace conetact::contact
 

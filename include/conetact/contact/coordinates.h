@@ -61,7 +61,7 @@ namespace conetact::contact
     const NodeRule *
     rule(const unsigned int body, const unsigned int node) const
     {
-      return rule_of_node[number(body, node)];
+      return what(number(body, node)).rule;
     }
     /** The number of the node of each unknown, for the order of elimination.
      */
@@ -112,6 +112,31 @@ namespace conetact::contact
     }
 
   private:
+    /** What few nodes have. */
+    struct SpecialNode
+    {
+      const NodeRule     *rule          = nullptr;
+      const ContactPoint *point         = nullptr;
+      Eigen::Index        first_contact = -1; ///< of its contact unknowns
+    };
+    const SpecialNode &
+    what(const std::size_t node) const
+    {
+      static const SpecialNode nothing;
+      const int                k = special_of_node[node];
+      return k < 0 ? nothing : specials[static_cast<std::size_t>(k)];
+    }
+    SpecialNode &
+    special(const std::size_t node)
+    {
+      int &k = special_of_node[node];
+      if (k < 0)
+        {
+          k = static_cast<int>(specials.size());
+          specials.emplace_back();
+        }
+      return specials[static_cast<std::size_t>(k)];
+    }
     /** What a node in the middle of corners has of its own; else null. */
     const HierarchicalMeans::Weights *
     corners(const unsigned int body, const unsigned int node) const
@@ -175,16 +200,16 @@ namespace conetact::contact
     along_held(const DisplacementOf &displacement,
                const RotationOf     &rotation) const;
     Tensor<1, 3>
-                                      along_held(const unsigned int    body,
-                                                 const unsigned int    node,
-                                                 const DisplacementOf &displacement) const;
-    const NodeRules                  &node_rules;
-    const ContactPoints              *points;
-    const ContactAxes                 axes;
-    const double                      arm;           ///< of rotations [length]
-    std::vector<bool>                 opens;         ///< bodies of open cuts
-    std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
-    std::vector<const ContactPoint *> point_of_node; ///< the same
+                             along_held(const unsigned int    body,
+                                        const unsigned int    node,
+                                        const DisplacementOf &displacement) const;
+    const NodeRules         &node_rules;
+    const ContactPoints     *points;
+    const ContactAxes        axes;
+    const double             arm;             ///< of rotations [length]
+    std::vector<bool>        opens;           ///< bodies of open cuts
+    std::vector<int>         special_of_node; ///< of all bodies, or -1: most
+    std::vector<SpecialNode> specials;
     /** With directions in the frames of bodies, dual ones in space; those that
      * are bound but for what is held. */
     std::deque<ContactPoint>         own_points;
@@ -193,7 +218,6 @@ namespace conetact::contact
 
     Eigen::Index              n_free = 0;
     std::vector<int>          first_unknown; ///< of a node's free ones
-    std::vector<int>          first_contact; ///< of a node's contact ones
     std::vector<int>          own_unknown;   ///< of each dof, or -1
     std::vector<unsigned int> node_of_unknown;
   };

@@ -7,6 +7,7 @@
 #include "conetact/condensed/condenser.h"
 #include "conetact/contact/increment_laws.h"
 #include "conetact/contact/redundant_rows.h"
+#include "conetact/contact/shared_vector.h"
 #include "conetact/solvers/contact_problem.h"
 
 #include <Eigen/Core>
@@ -22,7 +23,9 @@ namespace conetact::contact
   {
     Eigen::VectorXd prescribed; ///< deformation that supports give, all dofs
                                 ///< [length]
-    Eigen::VectorXd b;          ///< its forces on the elastic unknowns [force]
+    /** Its forces on the elastic unknowns [force]; of a large system f has
+     * them. */
+    Eigen::VectorXd b;
     /**
      * Load of a ContactProblem in total terms: f [force] in stiffness form, q
      * [length] and -b [force] in compliance form.
@@ -62,7 +65,7 @@ namespace conetact::contact
   {
     /** Elastic displacements that solvers start from, in the unknowns of the
      * Elasticity that wrote them [length]; none: nothing is strained. */
-    Eigen::VectorXd start;
+    SharedVector    start;
     Eigen::VectorXd motions; ///< amounts of the free ones so far [length]
     Eigen::VectorXd base;    ///< those that problems are written about
   };

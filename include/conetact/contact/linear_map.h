@@ -52,6 +52,22 @@ namespace conetact::contact
     expand(const Eigen::VectorXd &q) const;
     /** C^T f. */
     Eigen::VectorXd restrict(const Eigen::VectorXd &f) const;
+    /** The same of some rows: of the unknowns from the first one that they
+     * have. */
+    struct SomeUnknowns
+    {
+      Eigen::Index    first = 0;
+      Eigen::VectorXd values;
+
+      double
+      operator[](const Eigen::Index unknown) const
+      {
+        return values[unknown - first];
+      }
+    };
+    /** Of rows `begin`, begin + 1, ... that have f. */
+    SomeUnknowns
+    restrict_rows(const Eigen::Index begin, const Eigen::VectorXd &f) const;
 
     /** Rows are written one after the other; an unknown may come twice. */
     void

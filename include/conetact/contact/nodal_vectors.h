@@ -64,13 +64,13 @@ namespace conetact::contact
     /** Of all dofs, in space, from those in the frames of bodies; the inverse;
      * and the same of forces. Empty vectors stay empty. */
     Eigen::VectorXd
-    displacements(const Eigen::VectorXd &u) const;
+    displacements(Eigen::VectorXd u) const;
     Eigen::VectorXd
-    in_frames(const Eigen::VectorXd &u) const;
+    in_frames(Eigen::VectorXd u) const;
     Eigen::VectorXd
-    forces_in_space(const Eigen::VectorXd &f) const;
+    forces_in_space(Eigen::VectorXd f) const;
     Eigen::VectorXd
-    forces_in_frames(const Eigen::VectorXd &f) const;
+    forces_in_frames(Eigen::VectorXd f) const;
 
   protected:
     /** By how much dof k of the first node of a rigid body moves component c of
@@ -93,7 +93,7 @@ namespace conetact::contact
                                                const Tensor<1, 3> &)>;
     /** Without frames nothing happens. */
     Eigen::VectorXd
-    map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const;
+    map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const;
 
     std::vector<Eigen::Index> dof_offset;
     std::vector<unsigned int> node_offset;

@@ -11,7 +11,7 @@
 
 namespace conetact::iterative
 {
-  /** All elements of a stiffness. */
+  /** The elements of a stiffness. */
   struct Elements
   {
     /** The unknowns of each, which are as many as its matrix has rows
@@ -24,7 +24,18 @@ namespace conetact::iterative
     std::function<void(const std::function<void(
                          const std::vector<Eigen::Index> &unknowns)> &visit)>
       for_each_connection;
+    /** Those that have some of these unknowns, of all of which it is said
+     * whether they are meant, and maybe others: what many processes share. None
+     * if all are looked at. */
+    std::function<Elements(const std::vector<bool> &unknowns)> that_have;
   };
+
+  /** Of all elements, those that are needed for some unknowns. */
+  inline Elements
+  needed_for(const std::vector<bool> &unknowns, const Elements &all)
+  {
+    return all.that_have ? all.that_have(unknowns) : all;
+  }
 } // namespace conetact::iterative
 
 #endif

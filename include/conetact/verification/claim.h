@@ -6,6 +6,7 @@
 
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/increment_laws.h"
+#include "conetact/contact/shared_vector.h"
 #include "conetact/verification/external_forces.h"
 
 #include <Eigen/Core>
@@ -23,11 +24,11 @@ namespace conetact::verification
   struct Claim
   {
     Eigen::VectorXd                 amounts; ///< of all rigid motions
-    Eigen::VectorXd                 w;       ///< deformation, all dofs [length]
+    contact::SharedVector           w;       ///< deformation, all dofs [length]
     Eigen::VectorXd                 r; ///< reactions of all contact unknowns
     std::vector<solvers::NodeState> states;     ///< of the candidates
-    Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
-    Eigen::VectorXd                 mechanical; ///< those without thermal ones
+    contact::SharedVector           loads;      ///< nodal, all dofs [force]
+    contact::SharedVector           mechanical; ///< those without thermal ones
     /** Of contacts that have laws: where they stand, as far as it is known at
      * the start of the increment; else none. */
     std::shared_ptr<const contact::IncrementLaws> laws;
@@ -47,9 +48,10 @@ namespace conetact::verification
     /** Of w alone: a rigid motion has none [force x length]. */
     double strain_energy = 0;
 
-    Eigen::VectorXd u;      ///< displacements of all dofs, in space [length]
-    Eigen::VectorXd acting; ///< loads and supports, in space [force]
-    Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
+    contact::SharedVector u; ///< displacements of all dofs, in space [length]
+    /** At the dofs of this process (contact::DofShare): loads and supports, in
+     * space, and forces that are left [force]. */
+    Eigen::VectorXd acting, unbalanced;
     Eigen::VectorXd displacements; ///< of all contact unknowns, relative
     Eigen::VectorXd change;        ///< of them in this increment
     /** The same as contacts were at the end of the increment before. */

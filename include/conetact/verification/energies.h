@@ -22,17 +22,27 @@ namespace conetact::verification
   class Energies
   {
   public:
-    /** Writes those of an accepted increment; they come in their order. */
+    /** Writes those of an accepted increment; they come in their order. `u`:
+     * of all dofs at the end of the one before; none: 0. All processes of the
+     * team call this. */
     void
-    add(const contact::ContactPoints &points,
+    add(const contact::DofShare      &share,
+        const contact::ContactPoints &points,
         const Eigen::VectorXd        &reactions,
         const double                  t,
+        const contact::SharedVector  &u,
         const Finding                &finding,
         output::IncrementRecord      &record);
 
+    /** All processes get what each has: before it is saved, and before the
+     * team becomes another one. */
+    void
+    gather(const contact::DofShare &share);
     /** What of it is kept in a checkpoint, and taken from one again. */
     void
-    save(Archive &archive, const std::vector<std::string> &supports) const;
+    save(Archive                        &archive,
+         const std::vector<std::string> &supports,
+         const contact::SharedVector    &u) const;
     /** Springs of supports that the checkpoint does not know are new; points
      * that slide are where it found them. */
     void
@@ -45,7 +55,7 @@ namespace conetact::verification
     remember_nodes(const contact::ContactPoints &points);
 
     // at the end of the increment that came last
-    Eigen::VectorXd last_u, last_forces; ///< external, all dofs
+    Eigen::VectorXd last_forces; ///< external, of this process or all dofs
     std::vector<contact::Foundation> last_foundations;
     std::vector<Tensor<1, 3>>        last_reactions;
     std::vector<pairing::ContactNode>

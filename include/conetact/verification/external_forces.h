@@ -5,6 +5,7 @@
 #define conetact_verification_external_forces_h
 
 #include "conetact/contact/coordinates.h"
+#include "conetact/contact/dof_share.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/output/output.h"
 
@@ -41,18 +42,26 @@ namespace conetact::verification
     std::vector<output::Resultant>
                       supports; ///< of each support, with foundations
     output::Resultant loads;
-    Eigen::VectorXd   held; ///< forces of rigid supports, all dofs
+    Eigen::VectorXd   held; ///< forces of rigid supports, dofs of this process
+  };
+
+  /** What acts on the bodies, and the dofs that this process looks after. */
+  struct ActedOn
+  {
+    const contact::Bodies        &bodies;
+    const contact::Coordinates   &plain;
+    const contact::ContactPoints &points;
+    const contact::DofShare      &share;
   };
 
   /**
-   * `rest`: forces K w - loads - foundations - contacts on all dofs, which
-   * supports hold; `foundations` act on the bodies; `loads`
-   * without thermal ones, which cancel by themselves. All in space.
+   * `rest`: forces K w - loads - foundations - contacts on the dofs of this
+   * process, which supports hold; `foundations` act on the bodies; `loads` (all
+   * dofs) without thermal ones, which cancel by themselves. All in space. All
+   * processes of the team call this.
    */
   ExternalForces
-  external_forces(const contact::Bodies                  &bodies,
-                  const contact::Coordinates             &plain,
-                  const contact::ContactPoints           &points,
+  external_forces(const ActedOn                          &on,
                   const Eigen::VectorXd                  &rest,
                   const std::vector<contact::Foundation> &foundations,
                   const Eigen::VectorXd                  &loads,

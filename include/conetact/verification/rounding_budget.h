@@ -37,9 +37,12 @@ namespace conetact::verification
      * none. */
     bool
     find(const Claim &claim, Finding &out) const;
-    /** Sets forces of those bodies to zero, of all dofs and of contacts. */
+    /** Sets forces of those bodies to zero, at the dofs of this process
+     * (`rest`) and of contacts. */
     void
-    forget(Eigen::VectorXd &rest, Finding &out) const;
+    forget(const contact::DofShare &share,
+           Eigen::VectorXd         &rest,
+           Finding                 &out) const;
 
     /** The ways of an increment at time t that was accepted. */
     void

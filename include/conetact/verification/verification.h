@@ -6,6 +6,7 @@
 
 #include "conetact/base/archive.h"
 #include "conetact/contact/coordinates.h"
+#include "conetact/contact/dof_share.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 #include "conetact/verification/claim.h"
@@ -61,7 +62,7 @@ namespace conetact::verification
     Finding
     judge(const Claim &claim) const;
     /** Displacements of all dofs that were accepted last; empty: none yet. */
-    const Eigen::VectorXd &
+    const contact::SharedVector &
     accepted_displacements() const
     {
       return last.u;
@@ -84,13 +85,39 @@ namespace conetact::verification
     restore(const Archive &archive);
 
   private:
+    using Share = contact::DofShare;
+
     Scales
-    scales(const Claim &claim, const Finding &out) const;
-    /** Forces of contacts at all dofs. */
+    scales(const Claim &claim, const Finding &out, const Share &share) const;
+    /** Forces of contacts at the dofs of this process. */
     void
-    subtract_reactions(const Eigen::VectorXd &r, Eigen::VectorXd &forces) const;
+    subtract_reactions(const Eigen::VectorXd &r,
+                       const Share           &share,
+                       Eigen::VectorXd       &forces) const;
+    /** What acts and what is left of it, at the dofs of this process. */
+    Eigen::VectorXd
+    find_rest(const Claim &claim, const Share &share, Finding &out) const;
     void
-    check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
+    collect_forces(const Claim     &claim,
+                   const Share     &share,
+                   Eigen::VectorXd &rest,
+                   Finding         &out) const;
+    /** The worst unbalanced force of a body. */
+    struct Unbalanced
+    {
+      double       error = 0;
+      unsigned int body  = 0;
+    };
+    Unbalanced
+    worst_node(const Claim  &claim,
+               const Scales &scales,
+               const Share  &share,
+               Finding      &out) const;
+    void
+    check_nodes(const Claim  &claim,
+                const Scales &scales,
+                const Share  &share,
+                Finding      &out) const;
     void
     check_bodies(const Scales &scales, Finding &out) const;
     template <typename Points>
@@ -116,8 +143,8 @@ namespace conetact::verification
     /** What was accepted last; empty: nothing yet. */
     struct Last
     {
-      Eigen::VectorXd u; ///< of all dofs
-      double          t = 0;
+      contact::SharedVector u; ///< of all dofs
+      double                t = 0;
       /** Contacts as they were, where they slide far. */
       std::vector<pairing::ContactNode>  nodes;
       std::vector<contact::ContactPoint> points;

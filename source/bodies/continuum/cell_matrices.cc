@@ -5,6 +5,10 @@
 
 #include "conetact/bodies/continuum/exact_sums.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
 namespace conetact::bodies
 {
   namespace
@@ -68,32 +72,61 @@ namespace conetact::bodies
   }
 
   template <int dim>
-  void
-  CellMatrices<dim>::for_each_connection(const ConnectionVisitor &visit) const
+  bool
+  CellMatrices<dim>::has_some(const unsigned int cell,
+                              const SomeNodes   *nodes) const
   {
+    const auto of_cell = mesh.cell(cell);
+    return nodes == nullptr ||
+           std::any_of(of_cell.begin(), of_cell.end(), [&](const auto node) {
+             return (*nodes)[node];
+           });
+  }
+
+  template <int dim>
+  template <typename Visit>
+  void
+  CellMatrices<dim>::for_each_cell(const SomeNodes *nodes,
+                                   const Visit     &visit) const
+  {
+    Assert(nodes == nullptr || nodes->size() == mesh.nodes.size(),
+           dealii::ExcMessage("Each node is meant, or is not."));
     std::vector<unsigned int> dofs(dim * mesh.n_cell_nodes);
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
-      {
-        const auto nodes = mesh.cell(cell);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          dofs[i] = dim * nodes[i / dim] + i % dim;
-        visit(dofs);
-      }
+      if (has_some(cell, nodes))
+        {
+          const auto of_cell = mesh.cell(cell);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            dofs[i] = dim * of_cell[i / dim] + i % dim;
+          visit(cell, dofs);
+        }
   }
 
   template <int dim>
   void
-  CellMatrices<dim>::for_each(const ElementVisitor &visit) const
+  CellMatrices<dim>::for_each_connection(const SomeNodes         *nodes,
+                                         const ConnectionVisitor &visit) const
   {
-    Matrix       single;
-    unsigned int cell = 0;
-    for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      const Matrix *const matrix = find_kept(cell);
-      if (matrix == nullptr)
-        single = compute(cell);
-      visit(dofs, matrix == nullptr ? single.data() : matrix->data());
-      ++cell;
-    });
+    for_each_cell(nodes,
+                  [&](const unsigned int,
+                      const std::vector<unsigned int> &dofs) { visit(dofs); });
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::for_each(const SomeNodes      *nodes,
+                              const ElementVisitor &visit) const
+  {
+    Matrix single;
+    for_each_cell(nodes,
+                  [&](const unsigned int               cell,
+                      const std::vector<unsigned int> &dofs) {
+                    const Matrix *const matrix = find_kept(cell);
+                    if (matrix == nullptr)
+                      single = compute(cell);
+                    visit(dofs,
+                          matrix == nullptr ? single.data() : matrix->data());
+                  });
   }
 
   template <int dim>
@@ -121,19 +154,42 @@ namespace conetact::bodies
 
   template <int dim>
   void
-  CellMatrices<dim>::add_forces(const Eigen::VectorXd &u,
+  CellMatrices<dim>::add_forces_of_run(const unsigned int     first,
+                                       const unsigned int     end,
+                                       const Eigen::VectorXd &u,
+                                       Columns               &forces,
+                                       Eigen::VectorXd       &f) const
+  {
+    const Matrix *const matrix = find_kept(first);
+    forces.noalias() =
+      (matrix == nullptr ? compute(first) : *matrix) * strained(first, end, u);
+    for (unsigned int cell = first; cell < end; ++cell)
+      for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
+        f.template segment<dim>(dim * mesh.cell(cell)[v]) +=
+          forces.template block<dim, 1>(dim * v, cell - first);
+  }
+
+  template <int dim>
+  std::size_t
+  CellMatrices<dim>::add_forces(const SomeNodes       *nodes,
+                                const Eigen::VectorXd &u,
                                 Eigen::VectorXd       &f) const
   {
-    Columns forces;
+    Columns     forces;
+    std::size_t n = 0;
     shapes.for_each_run([&](const unsigned int first, const unsigned int end) {
-      const Matrix *const matrix = find_kept(first);
-      forces.noalias() = (matrix == nullptr ? compute(first) : *matrix) *
-                         strained(first, end, u);
-      for (unsigned int cell = first; cell < end; ++cell)
-        for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
-          f.template segment<dim>(dim * mesh.cell(cell)[v]) +=
-            forces.template block<dim, 1>(dim * v, cell - first);
+      for (unsigned int begin = first, to = first; begin < end; begin = to)
+        {
+          const bool is_meant = has_some(begin, nodes);
+          for (to = begin + 1; to < end && has_some(to, nodes) == is_meant;)
+            ++to;
+          if (!is_meant)
+            continue;
+          add_forces_of_run(begin, to, u, forces, f);
+          n += to - begin;
+        }
     });
+    return n;
   }
 
   template class CellMatrices<2>;

@@ -246,14 +246,14 @@ namespace conetact::bodies
   void
   Continuum<dim>::for_each_element(const ElementVisitor &visit) const
   {
-    matrices.for_each(visit);
+    matrices.for_each(nullptr, visit);
   }
 
   template <int dim>
   void
   Continuum<dim>::for_each_connection(const ConnectionVisitor &visit) const
   {
-    matrices.for_each_connection(visit);
+    matrices.for_each_connection(nullptr, visit);
   }
 
   template <int dim>
@@ -261,7 +261,32 @@ namespace conetact::bodies
   Continuum<dim>::add_internal_forces(const Eigen::VectorXd &u,
                                       Eigen::VectorXd       &f) const
   {
-    matrices.add_forces(u, f);
+    matrices.add_forces(nullptr, u, f);
+  }
+
+  template <int dim>
+  void
+  Continuum<dim>::for_each_element_at(const SomeNodes      &nodes,
+                                      const ElementVisitor &visit) const
+  {
+    matrices.for_each(&nodes, visit);
+  }
+
+  template <int dim>
+  void
+  Continuum<dim>::for_each_connection_at(const SomeNodes         &nodes,
+                                         const ConnectionVisitor &visit) const
+  {
+    matrices.for_each_connection(&nodes, visit);
+  }
+
+  template <int dim>
+  std::size_t
+  Continuum<dim>::add_internal_forces_at(const SomeNodes       &nodes,
+                                         const Eigen::VectorXd &u,
+                                         Eigen::VectorXd       &f) const
+  {
+    return matrices.add_forces(&nodes, u, f);
   }
 
   template <int dim>

@@ -33,8 +33,8 @@ namespace
       PendingIncrement one{history, history};
       one.record.increment = n;
       one.record.time      = t;
-      one.forces = one.mechanical = loads.at(t);
-      one.load                    = model.load_case(one.forces, {}, t);
+      one.forces = one.mechanical = contact::shared(loads.at(t));
+      one.load                    = model.load_case(*one.forces, {}, t);
       one.end                     = history.start();
       if (one.end.v.size() > 0)
         solve(one);

@@ -78,6 +78,40 @@ namespace
   }
 } // namespace
 
+
+TEST(Continuum, ElementsOfSomeNodesAreThoseThatHaveThem)
+{
+  for (const auto &body : all_bodies())
+    {
+      SomeNodes nodes(body->n_nodes(), false);
+      for (unsigned int i = 0; i < body->n_nodes(); i += 5)
+        nodes[i] = true;
+      using Elements = std::vector<std::vector<unsigned int>>;
+      Elements   own, of_all, connections;
+      const auto into = [](Elements &list) {
+        return [&](const std::vector<unsigned int> &dofs, const double *) {
+          list.push_back(dofs);
+        };
+      };
+      body->for_each_element_at(nodes, into(own));
+      body->Structure::for_each_element_at(nodes, into(of_all));
+      body->for_each_connection_at(nodes, [&](const auto &dofs) {
+        connections.push_back(dofs);
+      });
+      EXPECT_EQ(own, of_all);
+      EXPECT_EQ(own, connections);
+
+      const Eigen::VectorXd u = Eigen::VectorXd::Random(body->n_dofs());
+      Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size()), some = f;
+      body->add_internal_forces(u, f);
+      EXPECT_EQ(body->add_internal_forces_at(nodes, u, some), own.size());
+      for (Eigen::Index dof = 0; dof < u.size(); ++dof)
+        if (nodes[static_cast<unsigned int>(dof) / body->n_components()])
+          EXPECT_NEAR(some[dof], f[dof], 1e-13 * f.cwiseAbs().maxCoeff());
+    }
+}
+
+
 TEST(Continuum, RigidMotionsMeetNoForce)
 {
   for (const auto &body : all_bodies())

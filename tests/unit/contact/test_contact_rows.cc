@@ -84,7 +84,7 @@ TEST(ContactRows, ComponentsInTheFrameOfTheNode)
   const auto   state         = made_up(model, 1);
   const Eigen::VectorXd u    = Eigen::VectorXd::LinSpaced(6, 0, .05);
   const Eigen::VectorXd q    = model.relative_displacements(u, 1);
-  const Rows            rows = translator.rows(state, q, {}, u, 1);
+  const Rows            rows = translator.rows(state, q, {}, shared(u), 1);
   ASSERT_EQ(rows.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i)
     {
@@ -126,7 +126,7 @@ TEST(ContactRows, DisplacementsAreSumsOfThoseOfTheIncrements)
             Eigen::VectorXd::LinSpaced(6, 0, .05) * (t - 1) * (t - 1), t - 1);
           auto state      = made_up(model, 1);
           state.v         = q - q0; // slips; the gap is another matter
-          const Rows rows = translator.rows(state, q, {}, u, t);
+          const Rows rows = translator.rows(state, q, {}, shared(u), t);
           for (std::size_t i = 0; i < 2; ++i)
             {
               sum[i] += rows[i].du;
@@ -149,12 +149,13 @@ TEST(ContactRows, StatesOfNodesWithoutFrictionAreReadOffTheirSlip)
   Eigen::VectorXd u  = Eigen::VectorXd::Zero(6);
   u[0]               = .3; // along with the slope
   u[1]               = .1;
-  Rows rows =
-    translator.rows(state, model.relative_displacements(u, 1), {}, u, 1);
+  Rows rows          = translator.rows(
+    state, model.relative_displacements(u, 1), {}, shared(u), 1);
   EXPECT_EQ(rows[0].state, NodeState::stick);
   EXPECT_EQ(rows[1].state, NodeState::open);
   // the slope goes on, the foot does not
-  rows = translator.rows(state, model.relative_displacements(u, 2), {}, u, 2);
+  rows = translator.rows(
+    state, model.relative_displacements(u, 2), {}, shared(u), 2);
   EXPECT_EQ(rows[0].state, NodeState::slip);
   test::expect_near(rows[0].du,
                     test::vector(.6 * .3 - .8 * .1, -.8 * .3 - .6 * .1));
@@ -171,8 +172,11 @@ TEST(ContactRows, BothSidesOfAJointBalance)
       ContactRows           translator(model, scene->master_side);
       const Eigen::VectorXd u =
         Eigen::VectorXd::Zero(model.elastic.bodies.dim * (8 + 12));
-      const Rows rows = translator.rows(
-        made_up(model, 1), model.relative_displacements(u, 1), {}, u, 1);
+      const Rows   rows = translator.rows(made_up(model, 1),
+                                        model.relative_displacements(u, 1),
+                                        {},
+                                        shared(u),
+                                        1);
       Tensor<1, 3> force, moment;
       double       area = 0, area_of_masters = 0;
       std::size_t  n = 0;
@@ -217,7 +221,7 @@ TEST(ContactRows, UniformMotionsAreThoseOfTheMastersToo)
   const Eigen::VectorXd q     = model.relative_displacements(u, 1);
   auto                  state = made_up(model, 0);
   state.v                     = q; // closed at the start
-  for (const ContactRow &row : translator.rows(state, q, {}, u, 1))
+  for (const ContactRow &row : translator.rows(state, q, {}, shared(u), 1))
     {
       EXPECT_NEAR(row.gap, .5, 1e-14);
       EXPECT_NEAR(row.u[0], .5, 1e-14);

@@ -70,3 +70,45 @@ TEST(ElasticSystem, TermsOfABodyThatMovesWithoutStrain)
   EXPECT_DOUBLE_EQ(system.terms(2 * u).maxCoeff(),
                    2 * system.terms(u).maxCoeff());
 }
+
+
+
+TEST(ElasticSystem, ElementsOfSomeNodesAreAllThatThereIsOfThem)
+{
+  // one body of its own, one whose rows of cells are parted
+  const auto block = test::make_body(2, cells_2d);
+  Bodies     bodies;
+  bodies.dim        = 2;
+  bodies.structures = {block.get(), block.get()};
+  bodies.names      = {"left", "right"};
+  const ElasticSystem system(bodies);
+  const unsigned int  n = block->n_nodes();
+  Eigen::VectorXd     u(4 * n);
+  u << displacements(*block, 0), displacements(*block, 1);
+  const Eigen::VectorXd all   = system.structure_forces(u);
+  const Eigen::VectorXd terms = system.terms(u);
+  const auto            seen  = [&](const auto &look) {
+    const std::uint64_t before = system.n_visited();
+    look();
+    return system.n_visited() - before;
+  };
+
+  SomeNodesOfBodies nodes = {SomeNodes(n, false), SomeNodes(n, false)};
+  // the first row of nodes, which a row of six cells has
+  for (unsigned int i = 0; i < n; ++i)
+    nodes[1][i] = block->position(i)[1] == 0;
+  Eigen::VectorXd forces, some_terms;
+  EXPECT_EQ(seen([&] { forces = system.structure_forces_at(nodes, u); }), 6U);
+  EXPECT_EQ(seen([&] { some_terms = system.terms(u, &nodes); }), 6U);
+  EXPECT_EQ(
+    seen([&] { system.for_each_connection([](const auto &) {}, &nodes); }), 6U);
+  EXPECT_EQ(seen([&] { system.terms(u); }), 48U);
+  for (unsigned int i = 0; i < n; ++i)
+    if (nodes[1][i])
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          const Eigen::Index dof = 2 * (n + i) + c;
+          EXPECT_DOUBLE_EQ(forces[dof], all[dof]);
+          EXPECT_DOUBLE_EQ(some_terms[dof], terms[dof]);
+        }
+}

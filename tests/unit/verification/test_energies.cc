@@ -46,7 +46,7 @@ namespace
           u[i] = model.coordinates.prescribed(t)[i];
       const Eigen::VectorXd internal = model.elastic.structure_forces(u);
       Finding               finding;
-      finding.u             = u;
+      finding.u             = contact::shared(u);
       finding.strain_energy = .5 * u.dot(internal);
       finding.foundations   = model.elastic.foundations(u, t);
       finding.displacements = model.relative_displacements(u, t);
@@ -66,7 +66,14 @@ namespace
         }
       output::IncrementRecord record;
       finding.acting = loads + finding.external.held;
-      energies.add(model.points, r, t, finding, record);
+      energies.add({model.bodies, model.coordinates},
+                   model.points,
+                   r,
+                   t,
+                   last_u,
+                   finding,
+                   record);
+      last_u = finding.u;
       return record;
     }
 
@@ -96,8 +103,9 @@ namespace
       return f.size() > 0 ? f : Eigen::VectorXd(Eigen::VectorXd::Zero(6));
     }
 
-    Energies        energies;
-    Eigen::VectorXd before; ///< relative displacements
+    Energies              energies;
+    contact::SharedVector last_u;
+    Eigen::VectorXd       before; ///< relative displacements
   };
 
   /** Displacements and reactions of any kind. */

@@ -29,13 +29,13 @@ namespace
       for (const ContactPoint &point : model.points)
         for (unsigned int c = 0; c < 2; ++c)
           rest[2 * point.node->node + c] -= contact::force_of(point, r)[c];
-      return external_forces(model.bodies,
-                             model.coordinates,
-                             model.points,
-                             rest,
-                             model.elastic.foundations(u, 1),
-                             loads,
-                             r);
+      const contact::DofShare share(model.bodies, model.coordinates);
+      return external_forces(
+        {model.bodies, model.coordinates, model.points, share},
+        rest,
+        model.elastic.foundations(u, 1),
+        loads,
+        r);
     }
   };
 
@@ -129,9 +129,10 @@ TEST(ExternalForces, SidesOfAJointAreOpposite)
   const ContactModel    model(scene->bodies, {1});
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(12);
   ASSERT_EQ(model.points.n_unknowns(), 4);
-  const Eigen::VectorXd r   = Eigen::Vector4d(1, 2, 3, 4);
-  const ExternalForces  all = external_forces(
-    model.bodies, model.coordinates, model.points, none, {}, none, r);
+  const Eigen::VectorXd   r = Eigen::Vector4d(1, 2, 3, 4);
+  const contact::DofShare share(model.bodies, model.coordinates);
+  const ExternalForces    all = external_forces(
+    {model.bodies, model.coordinates, model.points, share}, none, {}, none, r);
   EXPECT_NEAR(all.contacts[0].force.norm(), std::hypot(4, 6), 1e-14);
   test::expect_near(all.masters[0].force, -all.contacts[0].force);
   test::expect_near(all.masters[0].moment, -all.contacts[0].moment);
@@ -144,21 +145,21 @@ TEST(ExternalForces, SidesOfAJointAreOpposite)
 
 TEST(ExternalForces, FoundationsBelongToTheirSupport)
 {
-  const auto            scene = test::make_scene(test::triangle_on_floor(
+  const auto              scene = test::make_scene(test::triangle_on_floor(
     "set Supports = top\n",
     test::section("Support top",
                   "Body = frame|Boundary ids = 2|Directions = x, y|"
-                             "Displacement = 0.1; 0|Stiffness = 50")));
-  const ContactModel    model(scene->bodies, {1});
-  const Eigen::VectorXd u    = Eigen::VectorXd::Zero(6);
-  const Eigen::VectorXd none = u;
-  const ExternalForces  all  = external_forces(model.bodies,
-                                             model.coordinates,
-                                             model.points,
-                                             none,
-                                             model.elastic.foundations(u, 1),
-                                             none,
-                                             Eigen::Vector2d::Zero());
+                               "Displacement = 0.1; 0|Stiffness = 50")));
+  const ContactModel      model(scene->bodies, {1});
+  const Eigen::VectorXd   u    = Eigen::VectorXd::Zero(6);
+  const Eigen::VectorXd   none = u;
+  const contact::DofShare share(model.bodies, model.coordinates);
+  const ExternalForces    all =
+    external_forces({model.bodies, model.coordinates, model.points, share},
+                    none,
+                    model.elastic.foundations(u, 1),
+                    none,
+                    Eigen::Vector2d::Zero());
   EXPECT_GT(all.supports[0].force[0], 0); // towards where its ground has gone
   EXPECT_EQ(all.supports[0].force[1], 0);
   EXPECT_EQ(all.held.norm(), 0);

@@ -71,11 +71,11 @@ namespace
           if (load.laws)
             model.points.set_friction(load.laws->coefficients(state));
           claim.amounts = model.amounts(load.placement, history.free_motions());
-          claim.w =
-            model.elasticity().expand({&load}, {history.primal()}).col(0);
+          claim.w       = contact::shared(
+            model.elasticity().expand({&load}, {history.primal()}).col(0));
           claim.r      = state.r.head(model.points.n_unknowns());
           claim.states = state.node;
-          claim.loads = claim.mechanical = forces;
+          claim.loads = claim.mechanical = contact::shared(forces);
           claim.t                        = t;
           visit(claim);
           verification.accept(claim.t, verification.judge(claim));
@@ -429,7 +429,7 @@ TEST(Verification, WhatSupportsHoldCarriesNothingMore)
   Claim claim;
   claim.amounts = model.motions.placement(1);
   claim.w = claim.loads = claim.mechanical =
-    Eigen::VectorXd::Zero(model.coordinates.n_dofs());
+    contact::shared(Eigen::VectorXd::Zero(model.coordinates.n_dofs()));
   claim.r = Eigen::VectorXd::Zero(model.points.n_all_unknowns());
   EXPECT_EQ(solved.verification.judge(claim).why, "");
   for (const ContactPoint &point : model.points.all())

@@ -29,19 +29,23 @@ namespace conetact::bodies
                  const Phases<dim>        &materials,
                  const double              thickness);
 
+    /** Of cells that have some of these nodes; null: of all. */
     void
-    for_each(const ElementVisitor &visit) const;
+    for_each(const SomeNodes *nodes, const ElementVisitor &visit) const;
     void
-    for_each_connection(const ConnectionVisitor &visit) const;
+    for_each_connection(const SomeNodes         *nodes,
+                        const ConnectionVisitor &visit) const;
 
     /**
      * f += K u, all dofs. What a cell's first node moves is taken out before
      * its matrix acts: forces of cells that hardly strain keep their digits and
      * their sum of zero, however far they move. Neighbours of one shape are
-     * multiplied together.
+     * multiplied together. Returns how many cells were.
      */
-    void
-    add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const;
+    std::size_t
+    add_forces(const SomeNodes       *nodes,
+               const Eigen::VectorXd &u,
+               Eigen::VectorXd       &f) const;
 
     const CellShapes<dim> &
     cell_shapes() const
@@ -51,6 +55,8 @@ namespace conetact::bodies
 
   private:
     using Matrix = typename Element::Matrix;
+    /** A column for each cell, its vertices' values or forces. */
+    using Columns = Eigen::MatrixXd;
 
     const ContinuumMesh<dim> &mesh;
     const Phases<dim>        &phases;
@@ -60,14 +66,24 @@ namespace conetact::bodies
     std::vector<int>          kept; ///< matrix of each shape, -1: none
     std::vector<Matrix>       matrices;
 
-    /** A column for each cell, its vertices' values or forces. */
-    using Columns = Eigen::MatrixXd;
-
     /** u of cells in a row, relative to that of their first vertices. */
     Columns
     strained(const unsigned int     first,
              const unsigned int     end,
              const Eigen::VectorXd &u) const;
+    bool
+    has_some(const unsigned int cell, const SomeNodes *nodes) const;
+    /** Calls visit(cell, its dofs). */
+    template <typename Visit>
+    void
+    for_each_cell(const SomeNodes *nodes, const Visit &visit) const;
+    /** The same of some cells of one shape, one behind the other. */
+    void
+    add_forces_of_run(const unsigned int     first,
+                      const unsigned int     end,
+                      const Eigen::VectorXd &u,
+                      Columns               &forces,
+                      Eigen::VectorXd       &f) const;
     void
     keep_matrices();
     const Matrix *

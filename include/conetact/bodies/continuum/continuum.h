@@ -66,6 +66,16 @@ namespace conetact::bodies
     void
     add_internal_forces(const Eigen::VectorXd &u,
                         Eigen::VectorXd       &f) const override;
+    void
+    for_each_element_at(const SomeNodes      &nodes,
+                        const ElementVisitor &visit) const override;
+    void
+    for_each_connection_at(const SomeNodes         &nodes,
+                           const ConnectionVisitor &visit) const override;
+    std::size_t
+    add_internal_forces_at(const SomeNodes       &nodes,
+                           const Eigen::VectorXd &u,
+                           Eigen::VectorXd       &f) const override;
     double
     largest_stretch(const Eigen::VectorXd &u) const override;
 
