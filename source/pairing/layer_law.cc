@@ -69,9 +69,6 @@ namespace conetact::pairing
   {
     allow_only(compliance, "p", in + "Compliance");
     allow_only(unloading, "p", in + "Unloading compliance");
-    if (unloading && !compliance)
-      throw InputError(in + "Unloading compliance: nothing has closed. Give a "
-                            "Compliance, too, or leave the entry empty.");
     allow_only(shear_compliance, "", in + "Shear compliance");
     if (share < 0 || share > 1)
       throw InputError(in + "Wear share: " + prm.get("Wear share") +
