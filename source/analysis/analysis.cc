@@ -95,7 +95,10 @@ namespace conetact::analysis
   Analysis::Analysis(const application::Scene &s, Log &l)
     : scene(s)
     , log(l)
-    , model(scene.bodies, scene.times, *scene.condenser, scene.preconditioner)
+    , model(scene.bodies,
+            scene.stage_times(),
+            *scene.condenser,
+            scene.preconditioner)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
     , backend(&with_backend(scene, model, log))

@@ -15,6 +15,8 @@
 #include "conetact/verification/verification.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace conetact::analysis
 {
@@ -32,6 +34,12 @@ namespace conetact::analysis
     /** `w`: deformation of all dofs at the end of the increment. */
     verification::Finding
     judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    /** What nodes have lost by wear before supports took them. */
+    void
+    know_held_depths(std::vector<double> depths)
+    {
+      held_depths = std::move(depths);
+    }
     /** The end of the increment that came last. */
     double
     accepted_time() const
@@ -130,6 +138,7 @@ namespace conetact::analysis
     UnpairedBodies                      unpaired;
     RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
+    std::vector<double> held_depths; ///< of all nodes, or none [length]
   };
 } // namespace conetact::analysis
 

@@ -222,9 +222,10 @@ namespace conetact::analysis
     WearError                               wear_error;
     /** Of increments that are solved again with what has worn in them. */
     std::unique_ptr<solvers::ContactSolver> solver_of_halves;
-    IncrementParts                          parts; ///< of the one that is next
-    bool lost_contacts = false; ///< that slide, in what failed last
-    bool unsolved      = false; ///< what failed last, by its solver
+    IncrementParts                          parts;  ///< of the one that is next
+    std::vector<double> held_in_stage; ///< nodes, with what they remember
+    bool lost_contacts = false;        ///< that slide, in what failed last
+    bool unsolved      = false;        ///< what failed last, by its solver
     bool in_parts = false; ///< increments that are too large to be condensed
     bool said_unsettled = false, said_between = false, said_askew = false;
     unsigned int n_saved         = 0; ///< increments before the checkpoint
