@@ -340,16 +340,23 @@ namespace conetact::analysis
       model.points.set_friction(laws->coefficients(history.start()));
   }
 
-  void
-  Analysis::set_laws(PendingIncrement &increment)
+  std::shared_ptr<const contact::IncrementLaws>
+  Analysis::laws_from(const contact::ContactHistory &before,
+                      const PendingIncrement        &increment) const
   {
-    const double t      = increment.record.time;
-    increment.load.laws = history.laws_until(
+    const double t = increment.record.time;
+    return before.laws_until(
       t,
       [&](const unsigned int body, const Point<3> &p) {
         return loads.temperature(body, p, t);
       },
       increment.wet);
+  }
+
+  void
+  Analysis::set_laws(PendingIncrement &increment)
+  {
+    increment.load.laws = laws_from(history, increment);
   }
 
   /* In the frames of bodies, some loads turn with them and others against

@@ -174,7 +174,7 @@ namespace conetact::analysis
     history.lock_cuts(begin(k), acceptance.accepted_displacements());
     existence.reset();
     solver = backend->create_solver(scene, model);
-    solver_of_halves.reset();
+    forget_halves();
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 

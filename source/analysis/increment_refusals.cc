@@ -138,7 +138,7 @@ namespace conetact::analysis
     model.solve_by(*backend->elasticity);
     existence.reset();
     solver = backend->create_solver(scene, model);
-    solver_of_halves.reset();
+    forget_halves();
     try
       {
         make_elasticity();

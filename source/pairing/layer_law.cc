@@ -202,7 +202,7 @@ namespace conetact::pairing
                       "100 computes 100 cycles by the increments of one. The "
                       "log says at the end of a run by how much half of it "
                       "would change depths, for which each increment is solved "
-                      "once more. [-]");
+                      "twice more. [-]");
     prm.declare_entry(
       "Wear integration",
       "explicit",

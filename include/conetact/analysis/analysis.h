@@ -121,6 +121,10 @@ namespace conetact::analysis
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);
+    /** Those of an increment whose contacts come from a history. */
+    std::shared_ptr<const contact::IncrementLaws>
+    laws_from(const contact::ContactHistory &before,
+              const PendingIncrement        &increment) const;
     /** Those of its contacts, with what is wet in it. */
     void
     set_laws(PendingIncrement &increment);

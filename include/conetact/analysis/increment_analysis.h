@@ -152,6 +152,18 @@ namespace conetact::analysis
     /** Compares the wear of an increment with that of two halves. */
     void
     estimate_wear(const PendingIncrement &increment);
+    /** An increment after `before` with half of what wears; its history, or
+     * nothing where it is not solved. */
+    std::optional<contact::ContactHistory>
+    after_half(contact::ContactHistory before,
+               const PendingIncrement &increment);
+    /** Elasticity or contacts have become others. */
+    void
+    forget_halves()
+    {
+      solver_of_halves.reset();
+      halves.reset();
+    }
     /** How many solutions it has, and another one. */
     void
     judge_uniqueness(PendingIncrement              &increment,
@@ -222,6 +234,7 @@ namespace conetact::analysis
     WearError                               wear_error;
     /** Of increments that are solved again with what has worn in them. */
     std::unique_ptr<solvers::ContactSolver> solver_of_halves;
+    std::optional<contact::ContactHistory>  halves; ///< their history so far
     IncrementParts                          parts;  ///< of the one that is next
     std::vector<double> held_in_stage; ///< nodes, with what they remember
     bool lost_contacts = false;        ///< that slide, in what failed last
