@@ -15,7 +15,7 @@ namespace conetact::solvers
     constexpr unsigned int exact_from = 12;
 
     // Friction that falls faster than bodies resist leads to and fro.
-    constexpr unsigned int most_in_vain = 4;
+    constexpr unsigned int most_in_vain = 12;
   } // namespace
 
 
