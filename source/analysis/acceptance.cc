@@ -238,8 +238,10 @@ namespace conetact::analysis
         // has seen their gaps.
         if (has_rows[i] || !node.is_active(increment.record.time))
           continue;
+        const double worn = i < held_depths.size() ? held_depths[i] : 0.;
         const double gap =
-          node.gap + relative(node, *finding.u, increment.record.time) * node.n;
+          node.gap + worn +
+          relative(node, *finding.u, increment.record.time) * node.n;
         if (gap < -least_depth * node.spacing)
           return "a support holds the contact node at " +
                  to_text(node.position) + " of body '" +

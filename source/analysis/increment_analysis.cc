@@ -44,7 +44,7 @@ namespace conetact::analysis
     : Analysis(s, l)
     , solver(*this)
     , settling(*this, solver, parts)
-    , wear_error(model.points)
+    , wear(*this, solver.search.is_needed())
   {
     if (scene.restart)
       restore_state();
@@ -94,7 +94,7 @@ namespace conetact::analysis
           }
       }
     report_skips(scene, model, loads, log);
-    wear_error.report(scene.contact_names, log);
+    wear.error.report(scene.contact_names, log);
   }
 
   std::size_t
@@ -217,7 +217,7 @@ namespace conetact::analysis
                           std::vector<output::IncrementRecord> &finished)
   {
     solver.fluid.say_leaks(increment);
-    estimate_wear(increment);
+    wear.add(increment);
     if (parts.take(increment.record))
       finished.push_back(std::move(increment.record));
   }

@@ -60,8 +60,9 @@ namespace conetact::analysis
     solver.search.save(archive);
     history.save(archive);
     acceptance.save(archive);
-    wear_error.save(archive);
+    wear.error.save(archive);
     put_layout(model.points, archive);
+    put_held_nodes(held_in_stage, archive);
     archive.write(description.folder / "checkpoint.bin");
   }
 
@@ -117,7 +118,10 @@ namespace conetact::analysis
     acceptance.restore(archive);
     if (is_other)
       acceptance.relink();
-    wear_error.restore(archive);
+    wear.error.restore(archive);
+    held_in_stage = held_nodes(archive);
+    acceptance.know_held_depths(
+      worn_while_held(held_in_stage, model.points.nodes()));
     n_saved = n_on_disk = scene.n_done();
   }
 } // namespace conetact::analysis

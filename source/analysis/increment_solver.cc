@@ -431,7 +431,6 @@ namespace conetact::analysis
   {
     equilibrium.reset();
     solver = create_solver();
-    halves.reset();
   }
 
   void
@@ -462,13 +461,5 @@ namespace conetact::analysis
         throw AnalysisError(error.what());
       }
     run.history.see_elasticity();
-  }
-
-  solvers::ContactSolver &
-  IncrementSolver::solver_of_halves()
-  {
-    if (!halves)
-      halves = create_solver();
-    return *halves;
   }
 } // namespace conetact::analysis

@@ -29,7 +29,10 @@ namespace conetact::analysis
   RunContext::RunContext(const application::Scene &s, Log &l)
     : scene(s)
     , log(l)
-    , model(scene.bodies, scene.times, *scene.condenser, scene.preconditioner)
+    , model(scene.bodies,
+            scene.stage_times(),
+            *scene.condenser,
+            scene.preconditioner)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
     , backend(&with_backend(scene, model, log))
@@ -99,16 +102,23 @@ namespace conetact::analysis
       model.points.set_friction(laws->coefficients(history.start()));
   }
 
-  void
-  RunContext::set_laws(PendingIncrement &increment)
+  std::shared_ptr<const contact::IncrementLaws>
+  RunContext::laws_from(const contact::ContactHistory &before,
+                        const PendingIncrement        &increment) const
   {
-    const double t      = increment.record.time;
-    increment.load.laws = history.laws_until(
+    const double t = increment.record.time;
+    return before.laws_until(
       t,
       [&](const unsigned int body, const Point<3> &p) {
         return loads.temperature(body, p, t);
       },
       increment.wet);
+  }
+
+  void
+  RunContext::set_laws(PendingIncrement &increment)
+  {
+    increment.load.laws = laws_from(history, increment);
   }
 
   /* In the frames of bodies, some loads turn with them and others against

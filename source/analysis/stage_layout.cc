@@ -7,6 +7,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -21,6 +22,19 @@ namespace conetact::analysis
     using Key     = std::array<double, 3>; ///< contact, body, node
 
     const std::string layout_name = "contact/points";
+    const std::string held_name   = "stages/held";
+
+    /** What laws of contact remember of a node. */
+    constexpr std::array<const char *, 8> memory = {{"contact/slipped",
+                                                     "contact/worn",
+                                                     "contact/packed",
+                                                     "contact/broken",
+                                                     "contact/parted",
+                                                     "contact/opened",
+                                                     "wear/error",
+                                                     "wear/depth"}};
+    constexpr std::size_t                 worn = 1, parted = 4, opened = 5;
+    using Remembered = std::array<double, memory.size()>;
 
     /** A contact node of the layout that an archive was written with. */
     struct KeptPoint
@@ -67,6 +81,30 @@ namespace conetact::analysis
       return points;
     }
 
+    /** Nodes that supports hold, which are none of a contact's for a while. */
+    std::map<Key, Remembered>
+    remembered_nodes(const Numbers &numbers)
+    {
+      std::map<Key, Remembered> nodes;
+      constexpr std::size_t     size = 3 + memory.size();
+      for (std::size_t at = 0; at + size <= numbers.size(); at += size)
+        {
+          const Key key = {{numbers[at], numbers[at + 1], numbers[at + 2]}};
+          std::copy_n(numbers.data() + at + 3,
+                      memory.size(),
+                      nodes[key].data());
+        }
+      return nodes;
+    }
+
+    Key
+    key_of(const pairing::ContactNode &node)
+    {
+      return {{static_cast<double>(node.contact),
+               static_cast<double>(node.body),
+               static_cast<double>(node.node)}};
+    }
+
     /** From the points of one layout to those of the other. */
     class Translation
     {
@@ -76,16 +114,14 @@ namespace conetact::analysis
         , archive(kept)
         , old(kept_points(kept.get(layout_name)))
         , directions(kept.get("contact/directions"))
+        , held(remembered_nodes(held_nodes(kept)))
       {
         std::map<Key, std::size_t> places;
         for (const KeptPoint &point : old)
           places.emplace(point.key, point.number);
         for (const contact::ContactPoint &point : points().all())
           {
-            const auto found =
-              places.find({{static_cast<double>(point.node->contact),
-                            static_cast<double>(point.node->body),
-                            static_cast<double>(point.node->node)}});
+            const auto found = places.find(key_of(*point.node));
             before.push_back(found == places.end() ?
                                std::nullopt :
                                std::optional(found->second));
@@ -115,6 +151,32 @@ namespace conetact::analysis
             else
               now.push_back(fresh(*points().all()[i].node));
         archive.put(name, now);
+      }
+
+      /** What is remembered of nodes: those that supports have held have it
+       * from before, and those that they hold now leave it here. `u` are the
+       * displacements of all unknowns. */
+      void
+      memories(const Eigen::VectorXd &u)
+      {
+        std::array<Numbers, memory.size()> now;
+        const std::vector<Remembered>      kept = kept_memories();
+        for (std::size_t k = 0; k < kept.size(); ++k)
+          held[old[k].key] = kept[k];
+        for (std::size_t i = 0; i < points().size(); ++i)
+          {
+            const bool       was_there = before[i] && *before[i] < kept.size();
+            const Remembered of_node =
+              was_there ? kept[*before[i]] : when_let_go(points()[i], u);
+            for (std::size_t m = 0; m < memory.size(); ++m)
+              now[m].push_back(of_node[m]);
+          }
+        for (std::size_t i = 0; i < points().size(); ++i)
+          held.erase(key_of(*points()[i].node));
+        for (std::size_t m = 0; m < memory.size(); ++m)
+          if (archive.has(memory[m]))
+            archive.put(memory[m], now[m]);
+        put_held();
       }
 
       /** Components of forces along the unknowns, or of displacements, of which
@@ -166,6 +228,53 @@ namespace conetact::analysis
       }
 
     private:
+      /** Of candidates, which come first. */
+      std::vector<Remembered>
+      kept_memories() const
+      {
+        std::vector<Remembered> kept;
+        for (const KeptPoint &point : old)
+          if (point.is_candidate)
+            kept.emplace_back();
+        for (std::size_t m = 0; m < memory.size(); ++m)
+          if (archive.has(memory[m]))
+            for (std::size_t k = 0; k < kept.size(); ++k)
+              kept[k][m] = archive.get(memory[m]).at(k);
+        return kept;
+      }
+
+      /** What a support has parted has opened as by a pull. */
+      Remembered
+      when_let_go(const contact::ContactPoint &point,
+                  const Eigen::VectorXd       &u) const
+      {
+        const auto found   = held.find(key_of(*point.node));
+        Remembered of_node = {};
+        if (found != held.end())
+          of_node = found->second;
+        else if (point.node->gap > 0)
+          of_node[opened] = pairing::never_closed;
+        if (of_node[opened] == pairing::never_closed)
+          return of_node;
+        const double gap =
+          std::max(0., point.node->gap + of_node[worn] + u[point.normal()]);
+        of_node[parted] = gap;
+        of_node[opened] = std::max(of_node[opened], gap);
+        return of_node;
+      }
+
+      void
+      put_held()
+      {
+        Numbers numbers;
+        for (const auto &[key, of_node] : held)
+          {
+            numbers.insert(numbers.end(), key.begin(), key.end());
+            numbers.insert(numbers.end(), of_node.begin(), of_node.end());
+          }
+        archive.put(held_name, numbers);
+      }
+
       const contact::ContactPoints &
       points() const
       {
@@ -192,6 +301,7 @@ namespace conetact::analysis
       Archive                     &archive;
       std::vector<KeptPoint>       old;
       Numbers                      directions;
+      std::map<Key, Remembered>    held; ///< that are none of the contacts now
       /** Each point's number before, if it was there. */
       std::vector<std::optional<std::size_t>> before;
     };
@@ -203,6 +313,33 @@ namespace conetact::analysis
     archive.put(layout_name, layout_of(points));
   }
 
+  Numbers
+  held_nodes(const Archive &archive)
+  {
+    return archive.has(held_name) ? archive.get(held_name) : Numbers();
+  }
+
+  std::vector<double>
+  worn_while_held(const Numbers                           &held,
+                  const std::vector<pairing::ContactNode> &nodes)
+  {
+    const std::map<Key, Remembered> remembered = remembered_nodes(held);
+    std::vector<double>             depths;
+    for (const pairing::ContactNode &node : nodes)
+      {
+        const auto found = remembered.find(key_of(node));
+        depths.push_back(found == remembered.end() ? 0. : found->second[worn]);
+      }
+    return depths;
+  }
+
+  void
+  put_held_nodes(const Numbers &held, Archive &archive)
+  {
+    if (!held.empty())
+      archive.put(held_name, held);
+  }
+
   bool
   take_to_layout(const contact::ContactModel &model, Archive &archive)
   {
@@ -210,27 +347,16 @@ namespace conetact::analysis
     if (!archive.has(layout_name) || archive.get(layout_name) == now)
       return false;
     using Node = pairing::ContactNode;
-    Translation  translation(model, archive);
-    const double t    = archive.get("contact/time").at(0);
-    const auto   zero = [](const Node &) { return 0.; };
-    const auto   gap  = [](const Node &node) { return node.gap; };
-    const auto   open = [](const Node &node) {
-      return node.gap > 0 ? pairing::never_closed : 0.;
-    };
+    Translation     translation(model, archive);
+    const double    t    = archive.get("contact/time").at(0);
+    const auto      zero = [](const Node &) { return 0.; };
+    const auto      gap  = [](const Node &node) { return node.gap; };
     Eigen::VectorXd u(model.coordinates.n_dofs());
     archive.fill("energies/u", u);
     u = model.relative_displacements(u, t);
-    for (const char *name : {"contact/slipped",
-                             "contact/worn",
-                             "contact/packed",
-                             "contact/parted",
-                             "contact/broken",
-                             "contact/states",
-                             "wear/error",
-                             "wear/depth"})
-      translation.nodes(name, true, 1, zero);
+    translation.memories(u);
+    translation.nodes("contact/states", true, 1, zero);
     translation.nodes("contact/gap", true, 1, gap);
-    translation.nodes("contact/opened", true, 1, open);
     translation.nodes("rows/gaps", false, 1, gap);
     translation.nodes("rows/states", false, 1, zero);
     for (const char *name : {"rows/u",

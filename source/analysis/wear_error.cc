@@ -51,25 +51,12 @@ namespace conetact::analysis
   }
 
   void
-  WearError::add(const VectorXd &worn,
-                 const VectorXd &after_half,
-                 const VectorXd &sum)
+  WearError::set(const VectorXd &sum, const VectorXd &by_halves)
   {
-    AssertDimension(worn.size(), error.size());
-    AssertDimension(after_half.size(), error.size());
     AssertDimension(sum.size(), error.size());
+    AssertDimension(by_halves.size(), error.size());
     depth = sum;
-    for (Index i = 0; i < error.size(); ++i)
-      {
-        const pairing::ContactNode &node =
-          *points[static_cast<std::size_t>(i)].node;
-        if (!is_accelerated(node))
-          continue;
-        const double change = after_half[i] - worn[i];
-        if (worn[i] > 0)
-          error[i] *= 1 + std::clamp(2 * change / worn[i], -1., 0.);
-        error[i] += (node.layer->wears_at_once() ? -.5 : .5) * change;
-      }
+    error = by_halves - sum;
   }
 
   void

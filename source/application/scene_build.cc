@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace conetact::application
 {
@@ -67,59 +66,6 @@ namespace conetact::application
       for (std::size_t k = 0; k < active.size(); ++k)
         if (!active[k])
           supports[k].release();
-    }
-
-    /** What a contact remembers of its nodes, in words; empty: reactions only.
-     */
-    std::string
-    memory_of(const pairing::Contact &contact)
-    {
-      if (contact.layer && contact.layer->wears())
-        return "wear";
-      if (contact.layer && contact.layer->stays_packed())
-        return "what a gasket has carried";
-      if (contact.bond && contact.bond->may_be_lost())
-        return "bonds that are lost";
-      const bool uses_way =
-        contact.friction && (contact.friction->expression(0).uses("s") ||
-                             contact.friction->expression(1).uses("s"));
-      return uses_way ? "the way that nodes have slipped" : "";
-    }
-
-    /** Nodes that a support holds are none of the contact, which knows nothing
-     * of them when the support lets them go. */
-    void
-    refuse_to_forget(const std::string             &memory,
-                     const std::string             &name,
-                     const pairing::Contact        &contact,
-                     const std::vector<Expression> &activity,
-                     const contact::Bodies         &bodies)
-    {
-      const bodies::Surface side =
-        bodies.structures[contact.body]->surface(contact.ids);
-      std::set<unsigned int> nodes;
-      for (const bodies::SurfaceNode &node : side.nodes)
-        nodes.insert(node.node);
-      for (std::size_t k = 0; k < bodies.supports.size(); ++k)
-        {
-          const bodies::Support &support = bodies.supports[k];
-          if (!activity[k].uses_time() || support.body != contact.body)
-            continue;
-          const bodies::Surface held =
-            bodies.structures[support.body]->surface(support.ids);
-          if (std::any_of(held.nodes.begin(),
-                          held.nodes.end(),
-                          [&](const bodies::SurfaceNode &node) {
-                            return nodes.count(node.node) > 0;
-                          }))
-            throw InputError(
-              "Support '" + support.name +
-              "', Active: it shares nodes with contact '" + name +
-              "', which remembers " + memory +
-              ": nodes that a support has held in a stage would begin anew. Let "
-              "it hold other faces, or tie these to an Obstacle by a contact "
-              "with an Active of its own.");
-        }
     }
 
     /** Contacts have a side, those of two bodies another one behind all. */
@@ -255,9 +201,6 @@ namespace conetact::application
                                                obstacles));
     if (path.follows)
       pairing::take_cohesion_of_path(entries, in, contacts.back());
-    if (const std::string memory = memory_of(contacts.back());
-        has_stages() && !memory.empty())
-      refuse_to_forget(memory, name, contacts.back(), activity, bodies);
     kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
     if (bodies.dim == 2 && contacts.back().friction->is_elliptic())
       throw InputError(in + "Second friction coefficient: there is one tangent "

@@ -85,6 +85,21 @@ namespace conetact::application
 
 
 
+  std::vector<double>
+  Scene::stage_times() const
+  {
+    const std::vector<double> ends   = stage_ends();
+    std::vector<double>       result = times;
+    if (ends.size() > 1)
+      result.erase(result.begin(),
+                   std::upper_bound(result.begin(),
+                                    result.end(),
+                                    ends[ends.size() - 2]));
+    return result;
+  }
+
+
+
   void
   Scene::take_stage(const double end, const std::filesystem::path &folder)
   {

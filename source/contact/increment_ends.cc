@@ -76,7 +76,8 @@ namespace conetact::contact
         const auto               law = points[i].node->layer;
         const pairing::Situation here =
           situation(i, end.r[points[i].normal()], depth[k]);
-        depth[k] *= law ? here.pressure * law->wear_by_pressure(here) : 0.;
+        depth[k] *=
+          law ? part_of_wear * here.pressure * law->wear_by_pressure(here) : 0.;
       }
     return depth;
   }

@@ -137,6 +137,15 @@ namespace conetact::contact
       }
   }
 
+  std::shared_ptr<const IncrementLaws>
+  IncrementLaws::with_wear(const double part) const
+  {
+    Assert(part >= 0, dealii::ExcMessage("Nothing grows by wear."));
+    const auto result    = std::make_shared<IncrementLaws>(*this);
+    result->part_of_wear = part;
+    return result;
+  }
+
   Situation
   IncrementLaws::situation(const std::size_t i,
                            const double      r_n,
@@ -272,9 +281,16 @@ namespace conetact::contact
       return {};
     if (now * force > most)
       return {most, 0, 0};
-    return {now * r_n, // what is pulled takes from cohesion
-            now + here.pressure * slope(mu, here, &Situation::pressure, 0),
-            force * slope(mu, here, &Situation::speed, little) / time};
+    const Expression      &law   = points[i].node->friction->expression(axis);
+    solvers::FrictionLimit limit = {now * r_n, // a pull takes from cohesion
+                                    now,
+                                    0};
+    if (law.uses("p"))
+      limit.by_force +=
+        here.pressure * slope(mu, here, &Situation::pressure, 0);
+    if (law.uses("v"))
+      limit.by_slip = force * slope(mu, here, &Situation::speed, little) / time;
+    return limit;
   }
 
   /* Closing C p and wear K p |slip|, the latter in the increment itself if it
@@ -301,7 +317,7 @@ namespace conetact::contact
     const bool               now  = law.wears_at_once();
     const bool               back = law.is_unloaded(here);
     const auto               worn = [&](const Situation &at) {
-      return now ? slip * law.wear_by_pressure(at) : 0.;
+      return now ? slip * part_of_wear * law.wear_by_pressure(at) : 0.;
     };
     const auto C = [&](const Situation &at) {
       return (back ? law.unloading_by_pressure(at) :
@@ -318,7 +334,7 @@ namespace conetact::contact
     if (bonds[i] && r_n < 0) // what is glued stretches
       result.closing = result.by_force * r_n;
     if (now)
-      result.by_slip = p * (law.wear_by_pressure(here) +
+      result.by_slip = p * (part_of_wear * law.wear_by_pressure(here) +
                             slope(C, here, &Situation::speed, 0) / time);
     result.shear = law.shear(here) / a;
     if (result.shear > 0)

@@ -67,9 +67,6 @@ namespace conetact::pairing
                                 "the bond. Choose opening or slip, or leave "
                                 "the entry empty.");
       }
-    if (is_none() && lost != Lost::never)
-      throw InputError(in + "Cohesion lost: there is none. Give Cohesion or "
-                            "Tensile strength, or leave the entry at never.");
   }
 
   void

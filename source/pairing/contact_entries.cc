@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/pairing/contact_entries.h"
+
+#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/kinematics.h"
+
+#include <algorithm>
 
 namespace conetact::pairing
 {
@@ -238,5 +243,103 @@ namespace conetact::pairing
     declare_contact_law(prm);
     declare_preload(prm);
     declare_spring(prm);
+  }
+
+  namespace
+  {
+    /** An entry that says nothing without another one. */
+    struct IdleRow
+    {
+      const char               *entry, *idle; ///< and what it is left at
+      std::vector<const char *> others;       ///< one of them is to be given
+      const char               *sentence;
+    };
+
+    const std::vector<IdleRow> &
+    idle_entries()
+    {
+      static const std::vector<const char *> friction = {"Friction coefficient",
+                                                         "Cohesion"};
+      static const std::vector<const char *> bond     = {"Cohesion",
+                                                         "Tensile strength"};
+      static const std::vector<IdleRow>      rows     = {
+                 {"Friction angle",
+                  "0",
+                  {"Second friction coefficient"},
+                  "friction is the same along all directions. Give a Second friction "
+                           "coefficient, too, or leave the entry at 0."},
+                 {"Shear limit",
+                  "",
+                  friction,
+                  "there is no friction that it could limit. Give a Friction "
+                           "coefficient or Cohesion, too, or leave the entry empty."},
+                 {"Wear share",
+                  "1",
+                  {"Wear coefficient"},
+                  "nothing wears. Give a Wear coefficient, too, or leave the entry at "
+                           "1."},
+                 {"Wear acceleration",
+                  "1",
+                  {"Wear coefficient"},
+                  "nothing wears. Give a Wear coefficient, too, or leave the entry at "
+                           "1."},
+                 {"Wear integration",
+                  "explicit",
+                  {"Wear coefficient"},
+                  "nothing wears. Give a Wear coefficient, too, or leave the entry at "
+                           "explicit."},
+                 {"Unloading compliance",
+                  "",
+                  {"Compliance"},
+                  "nothing has closed. Give a Compliance, too, or leave the entry "
+                           "empty."},
+                 {"Cohesion lost",
+                  "never",
+                  bond,
+                  "there is none. Give Cohesion or Tensile strength, or leave the entry "
+                           "at never."}};
+      return rows;
+    }
+
+    /** As text, or as an expression that is 0 or 1 everywhere. */
+    bool
+    is_left_at(const dealii::ParameterHandler &prm,
+               const std::string              &entry,
+               const std::string              &idle,
+               const std::string              &in)
+    {
+      const std::string text = prm.get(entry);
+      if (text == idle || text.empty() || (idle != "0" && idle != "1"))
+        return text == idle;
+      return Expression(text + " - " + idle, in + entry, names_of_situation())
+        .is_zero();
+    }
+
+    /** What is 0 by default may be 0 in other words. */
+    bool
+    is_given(const dealii::ParameterHandler &prm,
+             const std::string              &entry,
+             const std::string              &in)
+    {
+      const bool may_be_zero = entry == "Friction coefficient" ||
+                               entry == "Cohesion" ||
+                               entry == "Tensile strength";
+      return may_be_zero ? !is_left_at(prm, entry, "0", in) :
+                           !prm.get(entry).empty();
+    }
+  } // namespace
+
+  void
+  refuse_idle_entries(const dealii::ParameterHandler &prm,
+                      const std::string              &in)
+  {
+    for (const IdleRow &row : idle_entries())
+      if (!is_left_at(prm, row.entry, row.idle, in) &&
+          std::none_of(row.others.begin(),
+                       row.others.end(),
+                       [&](const char *other) {
+                         return is_given(prm, other, in);
+                       }))
+        throw InputError(in + row.entry + ": " + row.sentence);
   }
 } // namespace conetact::pairing

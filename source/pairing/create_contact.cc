@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/contact_entries.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/node_to_face.h"
 #include "conetact/pairing/pair_spring.h"
@@ -345,6 +346,7 @@ namespace conetact::pairing
     contact.prestress.emplace(constant(prm, "Prestress", in));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
+    refuse_idle_entries(prm, in);
     return contact;
   }
 

@@ -69,9 +69,6 @@ namespace conetact::pairing
   {
     allow_only(compliance, "p", in + "Compliance");
     allow_only(unloading, "p", in + "Unloading compliance");
-    if (unloading && !compliance)
-      throw InputError(in + "Unloading compliance: nothing has closed. Give a "
-                            "Compliance, too, or leave the entry empty.");
     allow_only(shear_compliance, "", in + "Shear compliance");
     if (share < 0 || share > 1)
       throw InputError(in + "Wear share: " + prm.get("Wear share") +
@@ -205,7 +202,7 @@ namespace conetact::pairing
                       "100 computes 100 cycles by the increments of one. The "
                       "log says at the end of a run by how much half of it "
                       "would change depths, for which each increment is solved "
-                      "once more. [-]");
+                      "twice more. [-]");
     prm.declare_entry(
       "Wear integration",
       "explicit",

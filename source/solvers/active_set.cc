@@ -20,6 +20,16 @@ namespace conetact::solvers
 
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
+
+    /** Where slip does not go on as before, most of what slipped may stick. */
+    void
+    stick(ContactState &state)
+    {
+      std::replace(state.node.begin(),
+                   state.node.end(),
+                   NodeState::slip,
+                   NodeState::stick);
+    }
   } // namespace
 
 
@@ -168,7 +178,9 @@ namespace conetact::solvers
         const unsigned int iterations     = report.iterations;
         const unsigned int factorizations = report.factorizations;
         state                             = start;
-        report                            = solve_from_states(problem, state);
+        if (iterations > 0 || predictor.turns(start, change))
+          stick(state);
+        report = solve_from_states(problem, state);
         report.iterations += iterations;
         report.factorizations += factorizations;
       }

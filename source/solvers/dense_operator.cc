@@ -13,6 +13,9 @@ namespace conetact::solvers
     // Where so many steps are not enough, the load is near its limit or states
     // do not settle: then what a step leaves open matters.
     constexpr unsigned int exact_from = 12;
+
+    // Friction that falls faster than bodies resist leads to and fro.
+    constexpr unsigned int most_in_vain = 12;
   } // namespace
 
 
@@ -139,9 +142,11 @@ namespace conetact::solvers
   bool
   DenseOperator::is_exact(const NewtonProgress &progress) const
   {
-    const ContactSystem &system = numbers.system();
-    return progress.same && numbers.has_cones() &&
-           system.n_contact_unknowns() <= 2 * system.n_nodes();
+    constexpr double     quadratic = 1e-3; // what is left squares in such steps
+    const ContactSystem &system    = numbers.system();
+    if (!numbers.has_cones())
+      return progress.same && progress.gain < quadratic;
+    return progress.same && system.n_contact_unknowns() <= 2 * system.n_nodes();
   }
 
 
@@ -166,6 +171,8 @@ namespace conetact::solvers
     patience.noise       = 1e-13;
     patience.same_states = 2;
     patience.cycles      = 10;
+    if (!numbers.has_cones())
+      patience.stalls = most_in_vain;
     return patience;
   }
 

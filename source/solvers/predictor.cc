@@ -9,10 +9,7 @@ namespace conetact::solvers
   Predictor::predict(const ContactState    &start,
                      const Eigen::VectorXd &change) const
   {
-    if (last_start.r.size() != start.r.size())
-      return std::nullopt;
-    const bool once_more = start.r == last_start.r && start.v == last_start.v;
-    if (!once_more && start.r != last_end)
+    if (!goes_on(start) && !once_more(start))
       return std::nullopt;
     // The same direction as before, but for a tenth across it.
     const double ratio = change.dot(last_change) / last_change.squaredNorm();
@@ -23,6 +20,34 @@ namespace conetact::solvers
     guess.v += ratio * dv;
     guess.r += ratio * dr;
     return guess;
+  }
+
+
+
+  bool
+  Predictor::turns(const ContactState    &start,
+                   const Eigen::VectorXd &change) const
+  {
+    constexpr double cosine = .5; // of the largest angle that is none
+    return goes_on(start) && change.dot(last_change) <
+                               cosine * change.norm() * last_change.norm();
+  }
+
+
+
+  bool
+  Predictor::goes_on(const ContactState &start) const
+  {
+    return last_end.size() == start.r.size() && start.r == last_end;
+  }
+
+
+
+  bool
+  Predictor::once_more(const ContactState &start) const
+  {
+    return last_start.r.size() == start.r.size() && start.r == last_start.r &&
+           start.v == last_start.v;
   }
 
 

@@ -82,6 +82,66 @@ def normal(laws, dim, backend):
     laws.check("  pressure", max(abs(row["r_n"] / row["area"] / pressures(True) - 1) for row in second), 1e-10)
 
 
+CONFINED = YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))  # pressure over compression where nothing gives way aside
+
+
+def held_for_a_while(dim, backend, rest, top, drawn, end, **law):
+    """A block between rollers on a floor; half of its bottom is held by a support for 1.5 < t < 2.5 where `rest` says. All of it is
+    pressed evenly else."""
+    bottom, upper = (2, 3) if dim == 2 else (4, 5)
+    up = dim - 1
+    scene = {"Dimension": dim, "Body block": box((4,) + (2,) * (dim - 1), (1.0,) * dim, young=YOUNG, poisson=POISSON,
+                                                 **{"Boundary ids": f"8: {'yz'[dim - 2]} < 1e-9 && x < 0.5"}),
+             "Obstacle floor": floor(dim, Displacement=" ; ".join([drawn] + ["0"] * up)),
+             "Contact bottom": contact(ids=f"{bottom}, 8", **law),
+             "Support walls": support("0, 1", "x"), "Support press": support(upper, "xyz"[up], top),
+             "Support rest": support(8, "xyz"[up], repr(rest), Active="t > 1.5 && t < 2.5"),
+             "Time": {"End": end, "Increments": end}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+    if dim == 3:
+        scene["Support sides"] = support("2, 3", "y")
+    return scene
+
+
+def apart(laws, what, values, expected):
+    laws.check(what, max(abs(value - expected) for value in values) / abs(expected), 1e-8)
+
+
+def remembers(laws, dim, backend):
+    """What a node that was held for a while has worn, slipped, carried and lost is as before."""
+    what, way, k = f"{dim}D, {backend}, held for a while", .05, .002
+    step = f"{way}*(min(t, 1) + max(min(t - 2, 1), 0))"  # drawn, at rest, drawn, at rest
+    first = k * CONFINED * PRESSED * way
+    second = k * CONFINED * (PRESSED - first) * way
+    run = laws.run(held_for_a_while(dim, backend, -first, f"-{PRESSED}", step, 4, mu=0, **{"Wear coefficient": k}))
+    laws.demand(f"{what}: {len(run_at(run, 2))} of {len(run_at(run, 1))} nodes are left", 0 < len(run_at(run, 2)) < len(run_at(run, 1)))
+    apart(laws, "  wear", [row["wear"] for row in run_at(run, 3)], first + second)
+    apart(laws, "  pressure on it", [row["pressure"] for row in run_at(run, 4)], CONFINED * (PRESSED - first - second))
+    run = laws.run(held_for_a_while(dim, backend, 0.0, f"-{PRESSED}", step, 3, mu=f"if(t < 2.5, 0, 0.2*s/{way})"))
+    apart(laws, "  friction by the way slipped", [abs(row["r_t1"]) / row["r_n"] for row in run_at(run, 3)], .2)
+    soft, back = 2e-4, 5e-5
+    most = PRESSED / (1 / CONFINED + soft)
+
+    def after(compressed):  # the pressure on a gasket that has borne the most
+        return (compressed - (soft - back) * most) / (1 / CONFINED + back)
+    run = laws.run(held_for_a_while(dim, backend, 0.0, f"-{PRESSED}*(1.1 - 0.1*t)", "0", 3, mu=0,
+                                    **{"Compliance": soft, "Unloading compliance": back}))
+    apart(laws, "  what a gasket has carried", [row["pressure"] for row in run_at(run, 3)], after(.8 * PRESSED))
+    run = laws.run(held_for_a_while(dim, backend, 0.0, f"if(t < 1.5, {PRESSED}, if(t < 2.5, -{PRESSED}, {PRESSED / 10}))", "0", 3, mu=0,
+                                    **{"Tensile strength": 2, "Cohesion lost": "opening"}))
+    laws.demand("  what a bond has lost", all(row["state"] == "open" and row["r_n"] == 0 for row in run_at(run, 3)))
+
+
+def agree_in_turn(laws):
+    """Supports that move the same nodes one after the other need not agree at times when one of them is off."""
+    scene = confined(2, "condensed", 0, "t < 2.5")
+    scene["Support other"] = support(1, "x", "0.001*(t - 2)", Active="t > 1.5")
+    run = laws.run(scene)
+    for t, u in ((1, 0), (2, 0), (3, .001)):
+        laws.check(f"supports in turn, t = {t}", max(abs(row["u_t1"] - u) for row in run_at(run, t) if row["x"] == 1), 1e-15)
+    done, _ = laws.start(merge(scene, {"Support other": {"Displacement": "0.001*(t - 1)"}}))
+    laws.demand("  both at once do", done.returncode == 2 and "another support moves it" in done.stderr)
+
+
 def assembled(laws, backend):
     """Press, tie, release: a block that a tie has taken keeps its place on the other one when its support lets go."""
     scene = {"Dimension": 2, "Body low": box((4, 2), (2.0, 1.0), young=YOUNG, poisson=POISSON),
@@ -142,6 +202,8 @@ def stages(laws):
             frictionless(laws, dim, backend)
             with_friction(laws, dim, backend)
             normal(laws, dim, backend)
+        remembers(laws, dim, "condensed")  # walls hold its corners along friction
+    agree_in_turn(laws)
     assembled(laws, "condensed")  # the iterative one knows no friction along what supports hold of pairs
     press_fit(laws)
     refused_late(laws)

@@ -15,6 +15,8 @@
 #include "conetact/verification/verification.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace conetact::analysis
 {
@@ -38,6 +40,12 @@ namespace conetact::analysis
     unbalanced(const verification::Finding &finding) const
     {
       return share().gather(finding.unbalanced);
+    }
+    /** What nodes have lost by wear before supports took them. */
+    void
+    know_held_depths(std::vector<double> depths)
+    {
+      held_depths = std::move(depths);
     }
     /** The end of the increment that came last. */
     double
@@ -150,6 +158,7 @@ namespace conetact::analysis
     UnpairedBodies                      unpaired;
     RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
+    std::vector<double> held_depths; ///< of all nodes, or none [length]
   };
 } // namespace conetact::analysis
 

@@ -8,7 +8,7 @@
 #include "conetact/analysis/increment_parts.h"
 #include "conetact/analysis/increment_solver.h"
 #include "conetact/analysis/settling.h"
-#include "conetact/analysis/wear_error.h"
+#include "conetact/analysis/wear_comparison.h"
 
 #include <string>
 #include <vector>
@@ -79,9 +79,6 @@ namespace conetact::analysis
     void
     keep(PendingIncrement                     &increment,
          std::vector<output::IncrementRecord> &finished);
-    /** Compares the wear of an increment with that of two halves. */
-    void
-    estimate_wear(const PendingIncrement &increment);
 
     /** Prepares another way to increment k, which has failed; throws
      * AnalysisError where there is none. */
@@ -112,10 +109,11 @@ namespace conetact::analysis
     std::string
     name(const output::IncrementRecord &record) const override;
 
-    IncrementParts  parts; ///< of the one that is next
-    IncrementSolver solver;
-    Settling        settling;
-    WearError       wear_error;
+    IncrementParts      parts; ///< of the one that is next
+    IncrementSolver     solver;
+    Settling            settling;
+    WearComparison      wear;
+    std::vector<double> held_in_stage; ///< nodes, with what they remember
     bool in_parts = false; ///< increments that are too large to be condensed
     bool said_between = false, said_askew = false;
     unsigned int n_saved         = 0; ///< increments before the checkpoint

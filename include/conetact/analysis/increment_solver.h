@@ -93,11 +93,7 @@ namespace conetact::analysis
     solve_in_parts();
     /** Throws AnalysisError. */
     void
-    condense_from_here(const std::string &why);
-    /** Of increments that are solved again with what has worn in them. */
-    solvers::ContactSolver &
-    solver_of_halves();
-
+                  condense_from_here(const std::string &why);
     ContactSearch search;
     FluidFront    fluid;
 
@@ -138,7 +134,6 @@ namespace conetact::analysis
 
     RunContext                             &run;
     std::unique_ptr<solvers::ContactSolver> solver;
-    std::unique_ptr<solvers::ContactSolver> halves;
     EquilibriumCheck                        equilibrium;
     UniquenessJudge                         uniqueness;
     BranchFollower                          branches;

@@ -11,6 +11,9 @@
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_history.h"
 
+#include <memory>
+#include <string>
+
 namespace conetact::analysis
 {
   /**
@@ -29,6 +32,10 @@ namespace conetact::analysis
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);
+    /** Laws of contacts in an increment that begins with this history. */
+    std::shared_ptr<const contact::IncrementLaws>
+    laws_from(const contact::ContactHistory &before,
+              const PendingIncrement        &increment) const;
     /** Those of its contacts, with what is wet in it. */
     void
     set_laws(PendingIncrement &increment);

@@ -7,6 +7,8 @@
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
 
+#include <vector>
+
 namespace conetact::analysis
 {
   /** Which contact nodes there are, and how many unknowns each has. */
@@ -17,11 +19,23 @@ namespace conetact::analysis
    * Takes what is kept of contact nodes from the layout of one stage to that
    * of the next one, whose supports hold others: reactions along directions
    * that both have stay, those along what a support has taken over are its own
-   * now, and what it has released begins without any, where it is. False:
-   * both are alike.
+   * now, and what it has released begins without any, where it is. What laws
+   * remember of nodes that a support holds stays in the archive until it lets
+   * them go. False: both are alike.
    */
   bool
   take_to_layout(const contact::ContactModel &model, Archive &archive);
+
+  /** What an archive remembers of nodes that supports hold in this stage, for
+   * the next archive. */
+  std::vector<double>
+  held_nodes(const Archive &archive);
+  /** Depths that nodes had worn when supports took them, 0 of others. */
+  std::vector<double>
+  worn_while_held(const std::vector<double>               &held,
+                  const std::vector<pairing::ContactNode> &nodes);
+  void
+  put_held_nodes(const std::vector<double> &held, Archive &archive);
 } // namespace conetact::analysis
 
 #endif

@@ -14,15 +14,9 @@
 namespace conetact::analysis
 {
   /**
-   * What Wear acceleration = N does to depths of wear, beside half of it in
-   * twice as many increments. With the depth @f$\Delta h@f$ that an increment
-   * wears, and @f$\Delta h'@f$ what it would wear if half of @f$\Delta h@f$
-   * had worn before, two halves wear
-   * @f$\frac12(\Delta h + \Delta h')@f$: each increment is off by
-   * @f$\frac12(\Delta h' - \Delta h)@f$ (implicit integration: by as much
-   * the other way). An error from before changes by
-   * @f$2(\Delta h' - \Delta h)/\Delta h@f$ of itself, node by node, and
-   * does not grow. All this is of first order in N.
+   * What Wear acceleration = N does to depths of wear, beside half of it: each
+   * increment happens twice there, with half of the wear, on gaps that have
+   * worn so. Cycles are not known: it is not all of a cycle that happens twice.
    */
   class WearError
   {
@@ -36,12 +30,16 @@ namespace conetact::analysis
     {
       return !accelerated.empty();
     }
-    /** Depths of wear of all candidates: of an increment, of the same after
-     * half of it, and all so far with it [length]. */
+    /** Depths of wear of all candidates so far, of the run and where each
+     * increment has happened twice after half of its wear [length]. */
     void
-    add(const Eigen::VectorXd &worn,
-        const Eigen::VectorXd &after_half,
-        const Eigen::VectorXd &sum);
+    set(const Eigen::VectorXd &sum, const Eigen::VectorXd &by_halves);
+    /** What the latter have worn more. */
+    const Eigen::VectorXd &
+    difference() const
+    {
+      return error;
+    }
     /** An increment that has no estimate. */
     void
     miss()

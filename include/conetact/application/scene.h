@@ -156,6 +156,9 @@ namespace conetact::application
      * and those after which others are. */
     std::vector<double>
     stage_ends() const;
+    /** Ends of increments in the last of these stages. */
+    std::vector<double>
+    stage_times() const;
     /** Runs until then only, from the checkpoint in a folder where it is not
      * empty, with the supports of that stage. */
     void

@@ -28,6 +28,10 @@ namespace conetact::contact
                   const double                    duration,
                   const std::vector<bool>        &wet = {});
 
+    /** The same with a part of what wears. */
+    std::shared_ptr<const IncrementLaws>
+    with_wear(const double part) const;
+
     solvers::FrictionLimit
     limit(const Index  i,
           const double s,
@@ -184,6 +188,7 @@ namespace conetact::contact
     std::vector<pairing::Situation>    start;
     Eigen::VectorXd                    r_start;
     double                             time;
+    double                             part_of_wear = 1;
     std::vector<std::array<double, 2>> constant; ///< mu where it is known
     std::vector<bool>                  active, joined;
     std::vector<double>                strength, cohesion; ///< whole [force]

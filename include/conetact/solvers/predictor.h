@@ -30,6 +30,11 @@ namespace conetact::solvers
     std::optional<ContactState>
     predict(const ContactState &start, const Eigen::VectorXd &change) const;
 
+    /** Whether the load goes quite another way than that of the increment
+     * before: what slipped then does not tell what slips now. */
+    bool
+    turns(const ContactState &start, const Eigen::VectorXd &change) const;
+
     /** An increment that was solved. */
     void
     remember(const ContactState    &start,
@@ -37,6 +42,11 @@ namespace conetact::solvers
              const Eigen::VectorXd &change);
 
   private:
+    bool
+    goes_on(const ContactState &start) const;
+    bool
+    once_more(const ContactState &start) const;
+
     Eigen::VectorXd last_change, dv, dr; ///< of the last increment
     ContactState    last_start;
     Eigen::VectorXd last_end; ///< its reactions

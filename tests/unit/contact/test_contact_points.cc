@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/contact/contact_points.h"
+#include "conetact/contact/increment_laws.h"
 
 #include "scene_fixture.h"
 
@@ -132,4 +133,61 @@ TEST(ContactPoints, AnEllipticConeBecomesACircularOne)
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int k = 0; k < 3; ++k)
       EXPECT_NEAR(point.dual[i] * point.directions[k], i == k, 1e-15);
+}
+
+
+
+/** What Newton's method is told against differences of the limits themselves,
+ * of friction that goes with p and v, and with a bond that softens. */
+TEST(IncrementLaws, SlopesAreDerivatives)
+{
+  for (const std::string &law :
+       {std::string("0.3/(1 + p/5)"),
+        std::string("0.15 + 0.1*exp(-v/0.02)"),
+        std::string("(0.2 + 0.1/(1 + p))*(1 + v)"),
+        std::string("0.1 + 0.01*p|Cohesion = 2|Tensile strength = 1|"
+                    "Cohesion lost = slip|Softening length = 0.3")})
+    {
+      const auto scene = test::make_scene(
+        "set Dimension = 2\nset Bodies = block\nset Obstacles = floor\n"
+        "set Contacts = bottom\nset Supports = top\n"
+        "subsection Body block\n" +
+        test::section("Mesh",
+                      "Generator = subdivided_hyper_rectangle|"
+                      "Arguments = 2, 1 : 0, 0 : 2, 1 : true") +
+        test::section("Material", "Young modulus = 1000|Poisson ratio = 0.3") +
+        "end\n" +
+        test::section("Obstacle floor", "Shape = half space|Normal = 0, 1") +
+        test::section("Contact bottom",
+                      "Body = block|Boundary ids = 2|Obstacle = floor|"
+                      "Friction coefficient = " +
+                        law) +
+        test::section("Support top",
+                      "Body = block|Boundary ids = 3|Directions = x, y"));
+      const NodeRules                 rules(scene->bodies, {1});
+      const ContactPoints             points(scene->bodies, rules, {1});
+      std::vector<pairing::Situation> known(points.size());
+      const IncrementLaws             laws(points,
+                               known,
+                               Eigen::VectorXd::Zero(points.n_unknowns()),
+                               .5);
+      const auto value = [&](const double s, const double u, const double g) {
+        return laws.limit(0, s, u, g).value;
+      };
+      for (const double s : {.5, 2.})
+        for (const double u : {.01, .05})
+          {
+            const double                 h = 1e-6, g = .02;
+            const solvers::FrictionLimit limit = laws.limit(0, s, u, g);
+            EXPECT_NEAR(limit.by_force,
+                        (value(s + h, u, g) - value(s - h, u, g)) / (2 * h),
+                        1e-6);
+            EXPECT_NEAR(limit.by_slip,
+                        (value(s, u + h, g) - value(s, u - h, g)) / (2 * h),
+                        1e-5);
+            EXPECT_NEAR(limit.by_gap,
+                        (value(s, u, g + h) - value(s, u, g - h)) / (2 * h),
+                        1e-5);
+          }
+    }
 }

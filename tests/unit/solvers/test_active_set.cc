@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/solvers/active_set.h"
+#include "conetact/solvers/predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -173,6 +174,27 @@ TEST(ActiveSet, LoadThatGoesOnTakesOneStep)
         }
     }
 }
+
+TEST(ActiveSet, LoadThatTurnsDoesNotGoOn)
+{
+  ContactState start, end;
+  start.v = start.r = Eigen::Vector2d(0, 1);
+  end.v             = Eigen::Vector2d(.5, 0);
+  end.r             = Eigen::Vector2d(-1, 3);
+  const Eigen::Vector2d change(1, 0), across(0, 1);
+  Predictor             predictor;
+  EXPECT_FALSE(predictor.turns(start, change));
+  predictor.remember(start, end, change);
+  ContactState next = end;
+  EXPECT_FALSE(predictor.turns(next, change));
+  EXPECT_FALSE(predictor.turns(next, change + across));
+  EXPECT_TRUE(predictor.turns(next, .3 * change + across));
+  EXPECT_TRUE(predictor.turns(next, -change));
+  next.r *= 2; // nothing is known of what led there
+  EXPECT_FALSE(predictor.turns(next, -change));
+}
+
+
 
 TEST(ActiveSet, FloatingBodyFliesAway)
 {
