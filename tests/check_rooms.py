@@ -19,11 +19,12 @@ BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
          "reproductions": ("solvers", "load_path"), "bodies": ("base",),
          "pairing": ("base", "bodies"), "condensed": ("base", "solvers"),
          "iterative": ("base", "solvers", "condensed"),
-         "output": ("base", "bodies", "condensed", "solvers"), "exchange": ("base", "solvers"),
-         "contact": ("base", "bodies", "pairing", "condensed", "iterative", "output", "solvers"),
-         "verification": ("base", "output", "contact"),
-         "application": ("base", "bodies", "pairing", "condensed", "iterative", "output", "contact", "solvers", "load_path"),
-         "analysis": ("base", "bodies", "pairing", "condensed", "iterative", "output", "contact", "verification",
+         "model": ("base", "bodies", "pairing", "solvers"),
+         "output": ("base", "bodies", "model", "condensed", "solvers"), "exchange": ("base", "solvers"),
+         "contact": ("base", "bodies", "pairing", "model", "condensed", "iterative", "solvers"),
+         "verification": ("base", "model", "contact"),
+         "application": ("base", "bodies", "pairing", "model", "condensed", "iterative", "output", "contact", "solvers", "load_path"),
+         "analysis": ("base", "bodies", "pairing", "model", "condensed", "iterative", "output", "contact", "verification",
                       "solvers", "load_path", "application")}
 
 

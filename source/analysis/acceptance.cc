@@ -176,7 +176,7 @@ namespace conetact::analysis
     return verification.judge(claim(increment, w));
   }
 
-  std::vector<output::ContactRow>
+  std::vector<model::ContactRow>
   Acceptance::rows_of(const PendingIncrement &increment,
                       const Eigen::VectorXd  &w) const
   {
@@ -340,7 +340,7 @@ namespace conetact::analysis
   {
     AssertDimension(increment.state.node.size(), model.points.size());
     AssertDimension(increment.contact.size(), model.points.n_unknowns());
-    output::IncrementRecord &record = increment.record;
+    model::IncrementRecord &record = increment.record;
     records.add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
@@ -401,11 +401,11 @@ namespace conetact::analysis
     return "";
   }
 
-  output::IncrementRecord
+  model::IncrementRecord
   Acceptance::undeformed() const
   {
-    output::IncrementRecord record = records.undeformed();
-    record.rows                    = contact_rows.undeformed();
+    model::IncrementRecord record = records.undeformed();
+    record.rows                   = contact_rows.undeformed();
     return record;
   }
 

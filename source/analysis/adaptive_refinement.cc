@@ -31,8 +31,8 @@ namespace conetact::analysis
     };
 
     Errors
-    element_errors(const application::Scene      &scene,
-                   const output::IncrementRecord &last)
+    element_errors(const application::Scene     &scene,
+                   const model::IncrementRecord &last)
     {
       Errors errors;
       for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
@@ -42,9 +42,9 @@ namespace conetact::analysis
     }
 
     MeshRecord
-    summary(const application::Scene      &scene,
-            const output::IncrementRecord &last,
-            const Errors                  &errors)
+    summary(const application::Scene     &scene,
+            const model::IncrementRecord &last,
+            const Errors                 &errors)
     {
       MeshRecord mesh;
       for (const bodies::Structure *body : scene.bodies.structures)
@@ -56,7 +56,7 @@ namespace conetact::analysis
             std::accumulate(of_body.begin(), of_body.end(), mesh.estimate);
         }
       mesh.resultants.resize(scene.contact_names.size(), 0.);
-      for (const output::ContactRow &row : last.rows)
+      for (const model::ContactRow &row : last.rows)
         if (!row.master)
           {
             ++mesh.contact_nodes;
@@ -126,10 +126,10 @@ namespace conetact::analysis
   }
 
   void
-  AdaptiveRefinement::advance(const application::Scene      &scene,
-                              const output::IncrementRecord &last,
-                              const std::filesystem::path   &folder,
-                              Log                           &log)
+  AdaptiveRefinement::advance(const application::Scene     &scene,
+                              const model::IncrementRecord &last,
+                              const std::filesystem::path  &folder,
+                              Log                          &log)
   {
     const Errors      errors = element_errors(scene, last);
     const MeshRecord  mesh   = summary(scene, last, errors);

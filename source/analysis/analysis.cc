@@ -183,7 +183,7 @@ namespace conetact::analysis
     for (std::size_t k = 0; k < scene.bodies.n_free_obstacles(); ++k)
       description.obstacles.push_back(
         scene.bodies.names[scene.bodies.n_elastic() + k]);
-    for (const contact::Cut &cut : model.bodies.cuts)
+    for (const model::Cut &cut : model.bodies.cuts)
       description.preloads.push_back(scene.contact_names[cut.contact]);
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
@@ -221,7 +221,7 @@ namespace conetact::analysis
     });
     if (scene.restart)
       return; // its pictures begin where it goes on
-    const output::IncrementRecord undeformed = acceptance.undeformed();
+    const model::IncrementRecord undeformed = acceptance.undeformed();
     for_outputs([&](output::Output &output) { output.begin(undeformed); });
   }
 
@@ -294,7 +294,7 @@ namespace conetact::analysis
   }
 
   void
-  Analysis::write(const std::vector<output::IncrementRecord> &finished)
+  Analysis::write(const std::vector<model::IncrementRecord> &finished)
   {
     if (finished.empty())
       return;
@@ -303,13 +303,13 @@ namespace conetact::analysis
     for_outputs([&](output::Output &output) { output.write(finished); });
     if (scene.adaptive.cycles > 0)
       final_record = finished.back();
-    for (const output::IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       notices.see(record);
     closing_lines =
       output::closing_lines(description, finished.back(), notices.faceted());
     n_on_disk = finished.back().increment;
     log.time("their tables and drawings");
-    for (const output::IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       log.note(name(record) + ", " + record.report.solver + ": " +
                std::to_string(record.report.iterations) +
                " linear solves, residual " + to_text(record.report.residual) +
@@ -321,8 +321,8 @@ namespace conetact::analysis
   }
 
   std::string
-  Analysis::failed(const output::IncrementRecord &record,
-                   const std::string             &why) const
+  Analysis::failed(const model::IncrementRecord &record,
+                   const std::string            &why) const
   {
     return name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
            (record.increment > 1 ? " The increments before it are on disk." :

@@ -182,7 +182,7 @@ namespace conetact::analysis
   }
 
   void
-  ContactNotices::see(const output::IncrementRecord &record)
+  ContactNotices::see(const model::IncrementRecord &record)
   {
     constexpr double    rounding = 1e-9; // of the largest force; of a cell
     const auto         &points   = model.points.all();

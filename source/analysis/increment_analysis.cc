@@ -156,7 +156,7 @@ namespace conetact::analysis
   IncrementAnalysis::lock_is_due(const unsigned int k) const
   {
     const auto &cuts = model.bodies.cuts;
-    return std::any_of(cuts.begin(), cuts.end(), [&](const contact::Cut &cut) {
+    return std::any_of(cuts.begin(), cuts.end(), [&](const model::Cut &cut) {
       return !cut.opening && cut.is_due(begin(k));
     });
   }
@@ -193,9 +193,9 @@ namespace conetact::analysis
     solver.set_start_known(true);
     if (batch.empty())
       return {};
-    std::vector<Eigen::VectorXd>         w = deformations(batch);
-    std::vector<output::IncrementRecord> finished;
-    Step                                 step;
+    std::vector<Eigen::VectorXd>        w = deformations(batch);
+    std::vector<model::IncrementRecord> finished;
+    Step                                step;
     for (std::size_t i = 0;
          i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
@@ -207,14 +207,14 @@ namespace conetact::analysis
           keep(batch[i], finished);
       }
     write(finished);
-    for (const output::IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       n_reaction_rows += record.rows.size();
     return step;
   }
 
   void
-  IncrementAnalysis::keep(PendingIncrement                     &increment,
-                          std::vector<output::IncrementRecord> &finished)
+  IncrementAnalysis::keep(PendingIncrement                    &increment,
+                          std::vector<model::IncrementRecord> &finished)
   {
     solver.fluid.say_leaks(increment);
     wear.add(increment);
@@ -294,7 +294,7 @@ namespace conetact::analysis
   {
     if (solve_otherwise(failure) || cut(k, failure))
       return;
-    output::IncrementRecord record;
+    model::IncrementRecord record;
     record.increment = k;
     record.time      = parts.end(scene.times[k - 1]);
     // the way on was not found: what is known is that there must be one
@@ -346,7 +346,7 @@ namespace conetact::analysis
   }
 
   std::string
-  IncrementAnalysis::name(const output::IncrementRecord &record) const
+  IncrementAnalysis::name(const model::IncrementRecord &record) const
   {
     return increment_name(record);
   }

@@ -33,7 +33,7 @@ namespace conetact::analysis
   }
 
   bool
-  IncrementParts::take(output::IncrementRecord &record)
+  IncrementParts::take(model::IncrementRecord &record)
   {
     const bool is_last = ends.empty();
     if (n_taken > 0)
@@ -52,7 +52,7 @@ namespace conetact::analysis
   }
 
   void
-  IncrementParts::add_to(output::IncrementRecord &record) const
+  IncrementParts::add_to(model::IncrementRecord &record) const
   {
     record.external_work += sum.external_work;
     record.dissipation += sum.dissipation;

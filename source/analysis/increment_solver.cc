@@ -102,7 +102,7 @@ namespace conetact::analysis
       return true;
     if (increment_at_hand == nullptr)
       return Interruption::is_wanted();
-    const output::IncrementRecord &record = increment_at_hand->record;
+    const model::IncrementRecord &record = increment_at_hand->record;
     if (run.model.points.n_unknowns() >= many &&
         std::exchange(slow_increment, record.increment) != record.increment)
       run.log.say(run.increment_name(record) +
@@ -230,8 +230,8 @@ namespace conetact::analysis
           run.scene.text_increments.count(number) >
         0)
       increment.record.condensed =
-        std::make_shared<const output::CondensedIncrement>(
-          output::CondensedIncrement{
+        std::make_shared<const model::CondensedIncrement>(
+          model::CondensedIncrement{
             solvers::with_coefficients_of(state, problem),
             increment.record.report.substeps == 1 ?
               std::optional<solvers::ContactState>(state) :
@@ -327,7 +327,7 @@ namespace conetact::analysis
     return w + elastic.correction(change, increment.primal - old);
   }
 
-  std::vector<output::ContactRow>
+  std::vector<model::ContactRow>
   IncrementSolver::rows_of(const AnotherSolution         &solution,
                            const contact::ContactHistory &before,
                            const PendingIncrement        &increment)

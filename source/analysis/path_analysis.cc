@@ -138,7 +138,7 @@ namespace conetact::analysis
     result.mechanical = mean(a.mechanical, b.mechanical);
     for (std::size_t i = 0; i < a.each_load.size(); ++i)
       {
-        const output::Resultant &x = a.each_load[i], &y = b.each_load[i];
+        const model::Resultant &x = a.each_load[i], &y = b.each_load[i];
         result.each_load.push_back({x.force + part * (y.force - x.force),
                                     x.moment + part * (y.moment - x.moment)});
       }
@@ -267,21 +267,21 @@ namespace conetact::analysis
         return add_events(point);
       }
     PendingIncrement pending{history, history};
-    pending.forces                  = contact::shared(at.forces);
-    pending.mechanical              = contact::shared(at.mechanical);
-    pending.load                    = at.load;
-    output::IncrementRecord &record = pending.record;
-    record.each_load                = at.each_load;
-    record.increment                = ++n_records;
-    record.time                     = t;
-    record.report.converged         = true;
-    record.report.solver            = "load path";
-    record.report.iterations        = 1;
-    pending.contact                 = point.v;
-    pending.state.v                 = point.v - last.v;
-    pending.state.r                 = point.r;
-    const double zero               = path_noise * solvers::largest(point.r);
-    const double rest               = path_noise * solvers::largest(point.v);
+    pending.forces                 = contact::shared(at.forces);
+    pending.mechanical             = contact::shared(at.mechanical);
+    pending.load                   = at.load;
+    model::IncrementRecord &record = pending.record;
+    record.each_load               = at.each_load;
+    record.increment               = ++n_records;
+    record.time                    = t;
+    record.report.converged        = true;
+    record.report.solver           = "load path";
+    record.report.iterations       = 1;
+    pending.contact                = point.v;
+    pending.state.v                = point.v - last.v;
+    pending.state.r                = point.r;
+    const double zero              = path_noise * solvers::largest(point.r);
+    const double rest              = path_noise * solvers::largest(point.v);
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       {
         const Eigen::Index k = system().normal(i);
@@ -387,8 +387,8 @@ namespace conetact::analysis
       }
     acceptance.set_stiffness(model.elasticity());
     const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
-    std::vector<output::IncrementRecord> finished;
-    std::string                          failure;
+    std::vector<model::IncrementRecord> finished;
+    std::string                         failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
       {
         PendingIncrement           &pending = waiting[i].pending;
@@ -463,7 +463,7 @@ namespace conetact::analysis
 
 
   std::string
-  PathAnalysis::name(const output::IncrementRecord &record) const
+  PathAnalysis::name(const model::IncrementRecord &record) const
   {
     return "Point " + std::to_string(record.increment) + " of the path";
   }

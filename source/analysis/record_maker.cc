@@ -23,26 +23,26 @@ namespace conetact::analysis
      * by themselves.
      */
     double
-    balance_of(const output::IncrementRecord &record,
-               const bool                     axisymmetric,
-               const double                   reach,
-               double                        &so_far)
+    balance_of(const model::IncrementRecord &record,
+               const bool                    axisymmetric,
+               const double                  reach,
+               double                       &so_far)
     {
-      output::Resultant sum;
-      double            largest = 0;
-      const auto        add     = [&](const output::Resultant &resultant) {
+      model::Resultant sum;
+      double           largest = 0;
+      const auto       add     = [&](const model::Resultant &resultant) {
         sum.force += resultant.force;
         sum.moment += resultant.moment;
         // a couple has forces, which cancel
         largest = std::max(
           {largest, resultant.force.norm(), resultant.moment.norm() / reach});
       };
-      for (const output::Resultant &contact : record.contacts)
+      for (const model::Resultant &contact : record.contacts)
         add(contact);
-      for (const output::Resultant &support : record.each_support)
+      for (const model::Resultant &support : record.each_support)
         add(support);
       add(record.loads);
-      for (const output::ObstacleRecord &obstacle : record.obstacles)
+      for (const model::ObstacleRecord &obstacle : record.obstacles)
         add(obstacle.contacts);
       so_far = std::max(so_far, largest);
       if (axisymmetric)
@@ -69,7 +69,7 @@ namespace conetact::analysis
 
 
   void
-  RecordMaker::add_resultants(output::IncrementRecord     &record,
+  RecordMaker::add_resultants(model::IncrementRecord      &record,
                               const verification::Finding &finding)
   {
     Assert(finding.external.contacts.size() <= scene.contact_sides.size(),
@@ -90,7 +90,7 @@ namespace conetact::analysis
       }
     record.each_support = external.supports;
     record.supports     = {};
-    for (const output::Resultant &support : external.supports)
+    for (const model::Resultant &support : external.supports)
       {
         record.supports.force += support.force;
         record.supports.moment += support.moment;
@@ -115,10 +115,10 @@ namespace conetact::analysis
 
   /* What contacts do to each obstacle that is free, and how it moves. */
   void
-  RecordMaker::add_obstacles(output::IncrementRecord     &record,
+  RecordMaker::add_obstacles(model::IncrementRecord      &record,
                              const verification::Finding &finding) const
   {
-    const contact::Bodies &bodies = model.bodies;
+    const model::Bodies &bodies = model.bodies;
     record.obstacles.assign(bodies.n_free_obstacles(), {});
     std::vector<bool> taken(finding.external.masters.size(), false);
     for (const contact::ContactPoint &point : model.points.all())
@@ -128,7 +128,7 @@ namespace conetact::analysis
             taken[node.contact])
           continue;
         taken[node.contact] = true;
-        output::Resultant &sum =
+        model::Resultant &sum =
           record.obstacles[node.master - bodies.n_elastic()].contacts;
         sum.force += finding.external.masters[node.contact].force;
         sum.moment += finding.external.masters[node.contact].moment;
@@ -152,11 +152,11 @@ namespace conetact::analysis
 
 
   void
-  RecordMaker::add_preloads(output::IncrementRecord     &record,
+  RecordMaker::add_preloads(model::IncrementRecord      &record,
                             const verification::Finding &finding) const
   {
     record.preloads.clear();
-    for (const contact::Cut &cut : model.bodies.cuts)
+    for (const model::Cut &cut : model.bodies.cuts)
       record.preloads.push_back(
         {-(finding.external.contacts[cut.contact].force * cut.axis),
          finding.u ? -model.opening(cut, *finding.u) : 0.});
@@ -165,11 +165,11 @@ namespace conetact::analysis
 
 
   void
-  RecordMaker::observe(output::IncrementRecord &record,
-                       const Eigen::VectorXd   &u) const
+  RecordMaker::observe(model::IncrementRecord &record,
+                       const Eigen::VectorXd  &u) const
   {
     AssertDimension(u.size(), model.coordinates.n_dofs());
-    const contact::Bodies &bodies = model.bodies;
+    const model::Bodies &bodies = model.bodies;
     const auto size = [&](const unsigned int b, const unsigned int i) {
       return model.displacement(u, b, i).norm();
     };
@@ -193,9 +193,9 @@ namespace conetact::analysis
 
 
   void
-  RecordMaker::add_displacements(output::IncrementRecord &record,
-                                 const Eigen::VectorXd   &u,
-                                 const Eigen::VectorXd   &w) const
+  RecordMaker::add_displacements(model::IncrementRecord &record,
+                                 const Eigen::VectorXd  &u,
+                                 const Eigen::VectorXd  &w) const
   {
     AssertDimension(u.size(), model.coordinates.n_dofs());
     AssertDimension(w.size(), model.coordinates.n_dofs());
@@ -212,10 +212,10 @@ namespace conetact::analysis
 
 
 
-  output::IncrementRecord
+  model::IncrementRecord
   RecordMaker::undeformed() const
   {
-    output::IncrementRecord record;
+    model::IncrementRecord record;
     for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
       {
         record.displacements.push_back(

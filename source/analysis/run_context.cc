@@ -55,7 +55,7 @@ namespace conetact::analysis
   }
 
   std::string
-  RunContext::increment_name(const output::IncrementRecord &record) const
+  RunContext::increment_name(const model::IncrementRecord &record) const
   {
     return "Increment " + std::to_string(record.increment) + " of " +
            std::to_string(scene.times.size());
@@ -142,7 +142,7 @@ namespace conetact::analysis
                     mechanical += f;
                   increment.record.each_load.push_back(
                     load.strains() ? // which balances
-                      output::Resultant() :
+                      model::Resultant() :
                       verification::resultant(model.bodies,
                                               coordinates,
                                               coordinates.forces_in_space(f)));

@@ -165,12 +165,12 @@ namespace conetact::analysis
     void
     report_bodies(const application::Scene &scene, Log &log)
     {
-      const contact::Bodies &bodies = scene.bodies;
+      const model::Bodies &bodies = scene.bodies;
       for (std::size_t b = 0; b < bodies.names.size(); ++b)
         if (b < bodies.n_elastic() + bodies.n_free_obstacles())
           log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") +
                   bodies.names[b] + ": " + bodies.structures[b]->description());
-      for (const contact::Cut &cut : bodies.cuts)
+      for (const model::Cut &cut : bodies.cuts)
         log.say("Preload of contact " + scene.contact_names[cut.contact] +
                 ": along " + to_text(cut.axis) +
                 (cut.locked_from ?
@@ -224,9 +224,9 @@ namespace conetact::analysis
   } // namespace
 
   void
-  report_shared_bodies(const contact::Bodies &bodies,
-                       const unsigned int     n_shared,
-                       Log                   &log)
+  report_shared_bodies(const model::Bodies &bodies,
+                       const unsigned int   n_shared,
+                       Log                 &log)
   {
     const auto n_at_rest =
       std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);

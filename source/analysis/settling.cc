@@ -101,8 +101,8 @@ namespace conetact::analysis
   }
 
   bool
-  Settling::may_take(const output::IncrementRecord &record,
-                     const pairing::FoundChange    &change) const
+  Settling::may_take(const model::IncrementRecord &record,
+                     const pairing::FoundChange   &change) const
   {
     constexpr double enough = 1e-3; // where facets meet there is no more
     constexpr double nearly = 1e-2; // of directions
@@ -116,8 +116,8 @@ namespace conetact::analysis
   /* A body that goes round an edge may look so: it is asked for smaller parts
      only. */
   Failure
-  Settling::passes_through(const output::IncrementRecord &record,
-                           const Eigen::VectorXd         &u)
+  Settling::passes_through(const model::IncrementRecord &record,
+                           const Eigen::VectorXd        &u)
   {
     const bool may_be_cut =
       parts.may_be_cut(solver.search.time(),
@@ -131,8 +131,8 @@ namespace conetact::analysis
   }
 
   void
-  Settling::say_unsettled(const output::IncrementRecord &record,
-                          const pairing::FoundChange    &change)
+  Settling::say_unsettled(const model::IncrementRecord &record,
+                          const pairing::FoundChange   &change)
   {
     const std::string sentence =
       run.increment_name(record) + " (t = " + to_text(record.time) +

@@ -14,7 +14,7 @@ namespace conetact::analysis
     constexpr double largest_difference = 1e-10;
 
     std::string
-    name(const std::vector<unsigned int> &which, const contact::Bodies &bodies)
+    name(const std::vector<unsigned int> &which, const model::Bodies &bodies)
     {
       std::vector<std::string> names;
       for (const unsigned int body : which)

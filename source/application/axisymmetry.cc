@@ -91,7 +91,7 @@ namespace conetact::application
   }
 
   void
-  hold_axes(contact::Bodies &bodies)
+  hold_axes(model::Bodies &bodies)
   {
     if (bodies.are_axisymmetric())
       for (unsigned int b = 0; b < bodies.structures.size(); ++b)

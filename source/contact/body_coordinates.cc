@@ -32,7 +32,7 @@ namespace conetact::contact
     }
   } // namespace
 
-  BodyCoordinates::BodyCoordinates(const Bodies        &b,
+  BodyCoordinates::BodyCoordinates(const model::Bodies &b,
                                    const Coordinates   &c,
                                    const ContactPoints *points)
     : bodies(b)

@@ -18,7 +18,7 @@ namespace conetact::contact
 
     /** Whether the tie goes on to be one where its bodies turn together. */
     bool
-    turns_along(const pairing::ContactNode &tie, const Bodies &bodies)
+    turns_along(const pairing::ContactNode &tie, const model::Bodies &bodies)
     {
       return tie.is_tied() && !tie.masters.empty() && !tie.opening &&
              pairing::undeformed_distance(tie, bodies.structures).norm() <=
@@ -43,9 +43,9 @@ namespace conetact::contact
      * and turn where these are strained.
      */
     unsigned int
-    leader_of(const unsigned int  body,
-              const Bodies       &bodies,
-              const RigidMotions &motions)
+    leader_of(const unsigned int   body,
+              const model::Bodies &bodies,
+              const RigidMotions  &motions)
     {
       const unsigned int first = motions.first_tied(body);
       const auto        &own   = motions.body_of_own();
@@ -58,7 +58,7 @@ namespace conetact::contact
     }
 
     [[noreturn]] void
-    refuse_turn(const bodies::Support &support, const Bodies &bodies)
+    refuse_turn(const bodies::Support &support, const model::Bodies &bodies)
     {
       throw InputError(
         "Support '" + support.name + "', Turn: " + bodies.called(support.body) +
@@ -71,7 +71,7 @@ namespace conetact::contact
 
     /** Whether anything may turn far. */
     bool
-    may_go_far(const Bodies &bodies, const ContactPoints &points)
+    may_go_far(const model::Bodies &bodies, const ContactPoints &points)
     {
       return points.slide() || std::any_of(bodies.supports.begin(),
                                            bodies.supports.end(),
@@ -81,7 +81,7 @@ namespace conetact::contact
     }
   } // namespace
 
-  BodyFrames::BodyFrames(Bodies              &b,
+  BodyFrames::BodyFrames(model::Bodies       &b,
                          const NodeRules     &r,
                          const ContactPoints &points,
                          const RigidMotions  &m)

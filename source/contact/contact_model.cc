@@ -28,7 +28,8 @@ namespace conetact::contact
 
     /** Directions of ties turn with their bodies. */
     void
-    turn_ties(const Bodies &bodies, std::vector<pairing::ContactNode> &nodes)
+    turn_ties(const model::Bodies               &bodies,
+              std::vector<pairing::ContactNode> &nodes)
     {
       if (bodies.frames.empty())
         return;
@@ -45,7 +46,7 @@ namespace conetact::contact
     }
   } // namespace
 
-  ContactModel::ContactModel(const Bodies                   &b,
+  ContactModel::ContactModel(const model::Bodies            &b,
                              const std::vector<double>      &at,
                              const condensed::Condenser     &by,
                              const iterative::Preconditioner levels)
@@ -354,7 +355,7 @@ namespace conetact::contact
     Assert(u.size() == 0 || u.size() == coordinates.n_dofs(),
            dealii::ExcMessage("Displacements of all dofs, or none yet."));
     bool any = false;
-    for (Cut &cut : own_bodies.cuts)
+    for (model::Cut &cut : own_bodies.cuts)
       if (!cut.opening && cut.is_due(t))
         {
           cut.opening = u.size() > 0 ? opening(cut, u) : 0.;
@@ -383,7 +384,7 @@ namespace conetact::contact
   }
 
   double
-  ContactModel::opening(const Cut &cut, const Eigen::VectorXd &u) const
+  ContactModel::opening(const model::Cut &cut, const Eigen::VectorXd &u) const
   {
     AssertDimension(u.size(), coordinates.n_dofs());
     return displacement(u, cut.body, 0) * cut.axis;
@@ -394,7 +395,7 @@ namespace conetact::contact
   {
     AssertDimension(all_reactions.size(), points.n_all_unknowns());
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(coordinates.n_dofs());
-    for (const Cut &cut : bodies.cuts)
+    for (const model::Cut &cut : bodies.cuts)
       if (cut.opening)
         for (const ContactPoint &point : points.all())
           if (point.node->contact == cut.contact)

@@ -78,7 +78,7 @@ namespace conetact::contact
     std::string
     why_oblique(const pairing::ContactNode &node,
                 const NodeRule             &rule,
-                const Bodies               &bodies)
+                const model::Bodies        &bodies)
     {
       const bodies::Support &support =
         bodies.supports[rule.held.back().terms.front().support];
@@ -114,7 +114,7 @@ namespace conetact::contact
 
 
 
-  ContactPoints::ContactPoints(const Bodies              &b,
+  ContactPoints::ContactPoints(const model::Bodies       &b,
                                const NodeRules           &s,
                                const std::vector<double> &times)
     : bodies(b)
@@ -210,7 +210,7 @@ namespace conetact::contact
     is_held_with_master(const NodeRule             &rule,
                         const pairing::ContactNode &node,
                         const NodeRules            &supports,
-                        const Bodies               &bodies,
+                        const model::Bodies        &bodies,
                         const std::vector<double>  &times)
     {
       const auto holds = [&](const NodeRule &master, const HeldDirection &own) {
@@ -247,7 +247,7 @@ namespace conetact::contact
     is_cut_with_master(const NodeRule             &rule,
                        const pairing::ContactNode &node,
                        const NodeRules            &supports,
-                       const Bodies               &bodies,
+                       const model::Bodies        &bodies,
                        const std::vector<double>  &times)
     {
       constexpr double same_plane = 1e-6; // of a cell, as files have digits

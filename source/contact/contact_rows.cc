@@ -15,7 +15,7 @@ namespace conetact::contact
   {
     /** (n, t1, t2) components of a vector in space. */
     Tensor<1, 3>
-    in_frame(const output::ContactRow &row, const Tensor<1, 3> &v)
+    in_frame(const model::ContactRow &row, const Tensor<1, 3> &v)
     {
       return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
     }
@@ -43,7 +43,7 @@ namespace conetact::contact
 
     /** Where the reaction acts on the other side, undeformed and not moved. */
     Point<3>
-    foot_of(const Bodies &bodies, const pairing::ContactNode &node)
+    foot_of(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
       if (node.masters.empty())
         return node.position + node.moved -
@@ -57,7 +57,7 @@ namespace conetact::contact
 
     /** And on its own side. */
     Point<3>
-    acting_at(const Bodies &bodies, const pairing::ContactNode &node)
+    acting_at(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
       Tensor<1, 3> off;
       pairing::for_each_slave(
@@ -77,7 +77,7 @@ namespace conetact::contact
   {
     for (const ContactPoint &point : model.points.all())
       {
-        output::ContactRow row;
+        model::ContactRow row;
         row.gap = point.node->gap;
         place(*point.node, row);
         last.push_back(row);
@@ -86,7 +86,7 @@ namespace conetact::contact
 
   void
   ContactRows::place(const pairing::ContactNode &node,
-                     output::ContactRow         &row) const
+                     model::ContactRow          &row) const
   {
     row.contact  = node.contact;
     row.node     = node.node;
@@ -119,7 +119,7 @@ namespace conetact::contact
       }
   }
 
-  std::vector<output::ContactRow>
+  std::vector<model::ContactRow>
   ContactRows::rows(const solvers::ContactState &state,
                     const Eigen::VectorXd       &q,
                     const Eigen::VectorXd       &r_bound,
@@ -137,7 +137,7 @@ namespace conetact::contact
     const ContactPoints &points = model.points;
     Eigen::VectorXd      r(points.n_all_unknowns());
     r << state.r, r_bound;
-    std::vector<output::ContactRow> rows = last;
+    std::vector<model::ContactRow> rows = last;
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(*u, body, node);
     };
@@ -145,7 +145,7 @@ namespace conetact::contact
       {
         const ContactPoint         &point = points.all()[i];
         const pairing::ContactNode &node  = *point.node;
-        output::ContactRow         &row   = rows[i];
+        model::ContactRow          &row   = rows[i];
         const Tensor<1, 3>          other =
           in_frame(row,
                    other_tangential(point, relative_displacement(node, at, t)));
@@ -183,10 +183,10 @@ namespace conetact::contact
     return rows;
   }
 
-  std::vector<output::ContactRow>
+  std::vector<model::ContactRow>
   ContactRows::undeformed() const
   {
-    std::vector<output::ContactRow> rows = last;
+    std::vector<model::ContactRow> rows = last;
     for (std::size_t i = model.points.size(); i < rows.size(); ++i)
       rows[i].state = solvers::NodeState::stick; // what equations bind
     append_masters(rows);
@@ -198,7 +198,7 @@ namespace conetact::contact
   {
     std::vector<double>       gaps, states;
     std::vector<Tensor<1, 3>> u, du, reactions;
-    for (const output::ContactRow &row : last)
+    for (const model::ContactRow &row : last)
       {
         gaps.push_back(row.gap);
         states.push_back(static_cast<double>(row.state));
@@ -246,7 +246,7 @@ namespace conetact::contact
                              const solvers::ContactState &state,
                              const Eigen::VectorXd       &q,
                              const Tensor<1, 3>          &other,
-                             output::ContactRow          &row) const
+                             model::ContactRow           &row) const
   {
     AssertIndexRange(i, state.node.size());
     AssertIndexRange(model.points[i].normal(), state.v.size());
@@ -262,9 +262,9 @@ namespace conetact::contact
   }
 
   void
-  ContactRows::set_kept(const std::size_t   i,
-                        const KeptByLaws   &kept,
-                        output::ContactRow &row) const
+  ContactRows::set_kept(const std::size_t  i,
+                        const KeptByLaws  &kept,
+                        model::ContactRow &row) const
   {
     AssertIndexRange(i, static_cast<std::size_t>(kept.worn.size()));
     AssertDimension(kept.fracture.size(), kept.worn.size());
@@ -280,7 +280,7 @@ namespace conetact::contact
   void
   ContactRows::set_bound(const ContactPoint &point,
                          const Tensor<1, 3> &other,
-                         output::ContactRow &row)
+                         model::ContactRow  &row)
   {
     const pairing::ContactNode &node   = *point.node;
     const Tensor<1, 3>          before = row.u;
@@ -292,14 +292,14 @@ namespace conetact::contact
   }
 
   void
-  ContactRows::append_masters(std::vector<output::ContactRow> &rows) const
+  ContactRows::append_masters(std::vector<model::ContactRow> &rows) const
   {
     AssertDimension(rows.size(), last.size());
     struct Sum
     {
-      output::ContactRow row;
-      Tensor<1, 3>       normal, reaction, pressing, u, du; // in space
-      double             weight = 0, largest = 0;
+      model::ContactRow row;
+      Tensor<1, 3>      normal, reaction, pressing, u, du; // in space
+      double            weight = 0, largest = 0;
     };
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
@@ -307,7 +307,7 @@ namespace conetact::contact
         const pairing::ContactNode &node = *model.points.all()[i].node;
         if (node.obstacle != nullptr)
           continue; // a free one is no body with nodes to be told
-        const output::ContactRow &row = last[i];
+        const model::ContactRow &row = last[i];
         for (const auto &[master, weight] : node.masters)
           {
             if (weight == 0) // a node that takes no part has no normal
@@ -341,10 +341,10 @@ namespace conetact::contact
       }
     for (auto &[key, sum] : sums)
       {
-        output::ContactRow &row = sum.row;
-        row.contact             = master_side[key.first];
-        row.master              = true;
-        row.normal              = sum.normal / sum.normal.norm();
+        model::ContactRow &row = sum.row;
+        row.contact            = master_side[key.first];
+        row.master             = true;
+        row.normal             = sum.normal / sum.normal.norm();
         std::tie(row.t1, row.t2) =
           pairing::tangents(row.normal, model.bodies.dim);
         const auto in_row = [&](const Tensor<1, 3> &v) {

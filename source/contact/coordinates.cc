@@ -17,16 +17,16 @@ namespace conetact::contact
   {
     /** Of each body, whether its motion opens a tie. */
     std::vector<bool>
-    open_cuts(const Bodies &bodies)
+    open_cuts(const model::Bodies &bodies)
     {
       std::vector<bool> open(bodies.structures.size(), false);
-      for (const Cut &cut : bodies.cuts)
+      for (const model::Cut &cut : bodies.cuts)
         open[cut.body] = !cut.opening;
       return open;
     }
   } // namespace
 
-  Coordinates::Coordinates(const Bodies        &b,
+  Coordinates::Coordinates(const model::Bodies &b,
                            const NodeRules     &r,
                            const ContactPoints *p,
                            const double         a)

@@ -10,7 +10,7 @@ namespace conetact::contact
   namespace
   {
     bool
-    stand_alone(const Bodies &bodies, const Coordinates &plain)
+    stand_alone(const model::Bodies &bodies, const Coordinates &plain)
     {
       const auto &rules = plain.rules().rules();
       return bodies.frames.empty() &&
@@ -23,7 +23,7 @@ namespace conetact::contact
 
 
 
-  DofShare::DofShare(const Bodies &b, const Coordinates &plain)
+  DofShare::DofShare(const model::Bodies &b, const Coordinates &plain)
     : bodies(b)
     , coordinates(plain)
     , processes(stand_alone(b, plain) ? team() : Communicator())

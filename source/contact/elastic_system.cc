@@ -56,7 +56,7 @@ namespace conetact::contact
     }
   } // namespace
 
-  ElasticSystem::ElasticSystem(const Bodies &b)
+  ElasticSystem::ElasticSystem(const model::Bodies &b)
     : bodies(b)
     , dof_offset(1, 0)
   {

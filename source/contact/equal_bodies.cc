@@ -45,7 +45,7 @@ namespace conetact::contact
 
 
   bool
-  may_have_equals(const Bodies &bodies)
+  may_have_equals(const model::Bodies &bodies)
   {
     std::set<unsigned int> sizes;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
@@ -60,8 +60,8 @@ namespace conetact::contact
   std::vector<std::vector<unsigned int>>
   find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own)
   {
-    const Bodies     &bodies = elastic.bodies;
-    const std::size_t n      = bodies.structures.size();
+    const model::Bodies &bodies = elastic.bodies;
+    const std::size_t    n      = bodies.structures.size();
     // A displacement without any symmetry: different matrices answer it by
     // different forces.
     const VectorXd u = own.expand(displacement_without_order(own, n));

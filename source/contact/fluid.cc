@@ -61,9 +61,9 @@ namespace conetact::contact
     }
 
     bool
-    is_supported(const Bodies      &bodies,
-                 const unsigned int body,
-                 const unsigned int id)
+    is_supported(const model::Bodies &bodies,
+                 const unsigned int   body,
+                 const unsigned int   id)
     {
       return std::any_of(bodies.supports.begin(),
                          bodies.supports.end(),
@@ -74,7 +74,7 @@ namespace conetact::contact
     }
   } // namespace
 
-  Fluid::Fluid(const Bodies &bodies, const ContactPoints &points)
+  Fluid::Fluid(const model::Bodies &bodies, const ContactPoints &points)
   {
     const auto contacts = candidates_with_fluid(points);
     if (contacts.empty())

@@ -15,7 +15,7 @@ namespace conetact::contact
   {
     /** The feet of all nodes that meet the obstacle become its nodes. */
     std::unique_ptr<bodies::Structure>
-    make_body(const pairing::Obstacle &obstacle, Bodies &bodies)
+    make_body(const pairing::Obstacle &obstacle, model::Bodies &bodies)
     {
       std::vector<Point<3>>               feet;
       std::vector<pairing::ContactNode *> sliding;
@@ -39,7 +39,7 @@ namespace conetact::contact
 
     /** What is not free follows what is prescribed. */
     bodies::Support
-    make_support(pairing::Obstacle &obstacle, const Bodies &bodies)
+    make_support(pairing::Obstacle &obstacle, const model::Bodies &bodies)
     {
       bodies::Support support;
       support.name = obstacle.name;
@@ -66,7 +66,8 @@ namespace conetact::contact
   } // namespace
 
   std::vector<std::unique_ptr<bodies::Structure>>
-  add_free_obstacles(std::vector<pairing::Obstacle> &obstacles, Bodies &bodies)
+  add_free_obstacles(std::vector<pairing::Obstacle> &obstacles,
+                     model::Bodies                  &bodies)
   {
     std::vector<std::unique_ptr<bodies::Structure>> made;
     for (pairing::Obstacle &obstacle : obstacles)
@@ -89,7 +90,7 @@ namespace conetact::contact
   }
 
   std::vector<Eigen::Index>
-  first_dofs(const Bodies &bodies)
+  first_dofs(const model::Bodies &bodies)
   {
     std::vector<Eigen::Index> first = {0};
     for (const bodies::Structure *structure : bodies.structures)
@@ -99,7 +100,7 @@ namespace conetact::contact
 
   Eigen::VectorXd
   forces_on_free_obstacles(const std::vector<pairing::Obstacle> &obstacles,
-                           const Bodies                         &bodies,
+                           const model::Bodies                  &bodies,
                            const double                          t)
   {
     const std::vector<Eigen::Index> first = first_dofs(bodies);

@@ -19,7 +19,7 @@ namespace conetact::contact
     constexpr double cosine_of_side = .7;
 
     std::vector<bool>
-    held_along_normals(const Bodies &bodies)
+    held_along_normals(const model::Bodies &bodies)
     {
       SupportedNodes    held = supported_nodes(bodies);
       const BoundNodes  bound(bodies.contact_nodes);
@@ -77,7 +77,7 @@ namespace conetact::contact
 
   /* Who takes what they have would change all the time. */
   std::map<unsigned int, std::string>
-  why_held_nodes_do_not_slide(const Bodies &bodies)
+  why_held_nodes_do_not_slide(const model::Bodies &bodies)
   {
     const auto &nodes  = bodies.contact_nodes;
     const auto  is_one = [](const pairing::ContactNode &node) {
@@ -100,7 +100,7 @@ namespace conetact::contact
   }
 
   void
-  give_up_held_nodes(Bodies &bodies)
+  give_up_held_nodes(model::Bodies &bodies)
   {
     std::vector<pairing::ContactNode> &nodes = bodies.contact_nodes;
     if (std::none_of(nodes.begin(),

@@ -16,7 +16,7 @@ namespace conetact::contact
     constexpr double weight_rounding = 1e-13;
   } // namespace
 
-  HierarchicalMeans::HierarchicalMeans(const Bodies        &bodies,
+  HierarchicalMeans::HierarchicalMeans(const model::Bodies &bodies,
                                        const NodeRules     &rules,
                                        const ContactPoints &points)
   {

@@ -60,7 +60,7 @@ namespace conetact::contact
     /** Whether a mean over nodes has others in it that meet something or hang,
      * or hardly its own one, whose displacement it tells. */
     bool
-    has_tangled_means(const Bodies                            &bodies,
+    has_tangled_means(const model::Bodies                     &bodies,
                       const ContactPoints                     &points,
                       const std::vector<const ContactPoint *> &with_axes,
                       const NodeRules                         &supports)
@@ -118,12 +118,12 @@ namespace conetact::contact
     bool
     opens_along(const pairing::ContactNode &node,
                 const Tensor<1, 3>         &direction,
-                const Bodies               &bodies)
+                const model::Bodies        &bodies)
     {
       return node.opening &&
              std::any_of(bodies.cuts.begin(),
                          bodies.cuts.end(),
-                         [&](const Cut &cut) {
+                         [&](const model::Cut &cut) {
                            return cut.body == *node.opening &&
                                   std::abs(cut.axis * direction) > 1e-12;
                          });
@@ -132,9 +132,9 @@ namespace conetact::contact
     /** Whether what supports hold of a bound node is bound there as well, or
      * not at all: it is theirs then. */
     bool
-    is_bound_or_held(const ContactPoint &point,
-                     const NodeRules    &supports,
-                     const Bodies       &bodies)
+    is_bound_or_held(const ContactPoint  &point,
+                     const NodeRules     &supports,
+                     const model::Bodies &bodies)
     {
       const NodeRule *rule = supports.find(point.node->body, point.node->node);
       if (rule == nullptr)
@@ -163,7 +163,7 @@ namespace conetact::contact
 
 
   std::string
-  why_not_iterative(const Bodies        &bodies,
+  why_not_iterative(const model::Bodies &bodies,
                     const NodeRules     &supports,
                     const ContactPoints &points)
   {

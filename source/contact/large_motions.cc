@@ -12,7 +12,7 @@ namespace conetact::contact
   using Eigen::VectorXd;
 
   Eigen::MatrixXd
-  common_motions(const Bodies &bodies, const Coordinates &coordinates)
+  common_motions(const model::Bodies &bodies, const Coordinates &coordinates)
   {
     const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
     Point<3>           centre;

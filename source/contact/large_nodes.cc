@@ -17,7 +17,7 @@ namespace conetact::contact
   {
     /** Rigid bodies have rotations, but no elements. */
     bool
-    is_frame(const Bodies &bodies, const std::size_t body)
+    is_frame(const model::Bodies &bodies, const std::size_t body)
     {
       return bodies.structures[body]->n_components() > bodies.dim &&
              !bodies.is_rigid(body);
@@ -176,7 +176,7 @@ namespace conetact::contact
   {
     /** Bodies that open ties, with the slave of each. */
     std::map<unsigned int, unsigned int>
-    sides_of_cuts(const Bodies &bodies)
+    sides_of_cuts(const model::Bodies &bodies)
     {
       std::map<unsigned int, unsigned int> slaves;
       for (const pairing::ContactNode &node : bodies.contact_nodes)
@@ -188,7 +188,7 @@ namespace conetact::contact
     /** Of each body, whether it is factorised: frames that meet no other body,
      * and little that meets frames. */
     std::vector<bool>
-    are_direct(const Bodies &bodies, const Pairs &pairs)
+    are_direct(const model::Bodies &bodies, const Pairs &pairs)
     {
       // what takes Newton's matrix no longer to factorise than to iterate
       const unsigned int        few   = bodies.dim == 2 ? 10000 : 3000;
@@ -234,9 +234,9 @@ namespace conetact::contact
                 const Coordinates   &coordinates,
                 const ContactPoints &points)
   {
-    constexpr double much   = 20;
-    const Bodies    &bodies = elastic.bodies;
-    const auto       frame  = [&](const unsigned int body) {
+    constexpr double     much   = 20;
+    const model::Bodies &bodies = elastic.bodies;
+    const auto           frame  = [&](const unsigned int body) {
       return is_frame(bodies, body);
     };
     const Pairs pairs  = find_pairs(elastic, coordinates, points);
@@ -259,7 +259,7 @@ namespace conetact::contact
 
 
   Eigen::SparseMatrix<double, Eigen::RowMajor>
-  rows_of_further(const Bodies        &bodies,
+  rows_of_further(const model::Bodies &bodies,
                   const Coordinates   &coordinates,
                   const ContactPoints &points)
   {
@@ -290,7 +290,7 @@ namespace conetact::contact
 
 
   std::optional<iterative::FurtherContacts>
-  further_contacts(const Bodies        &bodies,
+  further_contacts(const model::Bodies &bodies,
                    const Coordinates   &coordinates,
                    const ContactPoints &points)
   {
@@ -321,7 +321,7 @@ namespace conetact::contact
 
 
   std::map<unsigned int, int>
-  sides_of_ties(const Bodies &bodies, const Coordinates &coordinates)
+  sides_of_ties(const model::Bodies &bodies, const Coordinates &coordinates)
   {
     std::map<unsigned int, int> sides;
     for (const auto &[opening, slave] : sides_of_cuts(bodies))

@@ -7,7 +7,7 @@
 
 namespace conetact::contact
 {
-  NodalVectors::NodalVectors(const Bodies &b)
+  NodalVectors::NodalVectors(const model::Bodies &b)
     : bodies(b)
     , dof_offset(1, 0)
     , node_offset(1, 0)

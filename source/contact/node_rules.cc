@@ -61,7 +61,7 @@ namespace conetact::contact
   }
 
   SupportedNodes
-  supported_nodes(const Bodies &bodies)
+  supported_nodes(const model::Bodies &bodies)
   {
     SupportedNodes held;
     for (const bodies::Support &support : bodies.supports)
@@ -99,7 +99,7 @@ namespace conetact::contact
   }
 
   void
-  align_with_supports(const Bodies                      &bodies,
+  align_with_supports(const model::Bodies               &bodies,
                       std::vector<pairing::ContactNode> &nodes)
   {
     constexpr double largest_facet_angle = .1; // as a sine
@@ -143,7 +143,7 @@ namespace conetact::contact
 
 
 
-  NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
+  NodeRules::NodeRules(const model::Bodies &b, const std::vector<double> &times)
     : bodies(b)
   {
     // A map, as supports come in any order and several may hold a node.

@@ -23,7 +23,7 @@ namespace conetact::contact
     };
 
     Face
-    face_of(const unsigned int contact, const Bodies &bodies)
+    face_of(const unsigned int contact, const model::Bodies &bodies)
     {
       Face   face;
       double area = 0;
@@ -72,7 +72,9 @@ namespace conetact::contact
 
     /** It only moves along its axis. */
     bodies::Support
-    guide_of(const Cut &cut, const Point<3> &centre, const Bodies &bodies)
+    guide_of(const model::Cut    &cut,
+             const Point<3>      &centre,
+             const model::Bodies &bodies)
     {
       bodies::Support support;
       support.name = bodies.names[cut.body];
@@ -89,7 +91,8 @@ namespace conetact::contact
   } // namespace
 
   std::vector<std::unique_ptr<bodies::Structure>>
-  add_preloads(const std::vector<pairing::Contact> &contacts, Bodies &bodies)
+  add_preloads(const std::vector<pairing::Contact> &contacts,
+               model::Bodies                       &bodies)
   {
     std::vector<std::unique_ptr<bodies::Structure>> made;
     for (unsigned int c = 0; c < contacts.size(); ++c)
@@ -97,7 +100,7 @@ namespace conetact::contact
         if (!contacts[c].preload)
           continue;
         const Face face = face_of(c, bodies);
-        Cut        cut;
+        model::Cut cut;
         cut.contact     = c;
         cut.body        = static_cast<unsigned int>(bodies.structures.size());
         cut.axis        = axis_of(contacts[c], face, bodies.are_axisymmetric());
@@ -121,12 +124,12 @@ namespace conetact::contact
 
   void
   add_preload_forces(const std::vector<pairing::Contact> &contacts,
-                     const Bodies                        &bodies,
+                     const model::Bodies                 &bodies,
                      const double                         t,
                      Eigen::VectorXd                     &f)
   {
     const std::vector<Eigen::Index> first = first_dofs(bodies);
-    for (const Cut &cut : bodies.cuts)
+    for (const model::Cut &cut : bodies.cuts)
       if (!cut.is_locked_after(t))
         {
           const double tension =

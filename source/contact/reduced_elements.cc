@@ -239,7 +239,7 @@ namespace conetact::contact
 
 
   SomeNodesOfBodies
-  nodes_of(const Bodies            &bodies,
+  nodes_of(const model::Bodies     &bodies,
            const LinearMap         &coordinates,
            const std::vector<bool> &some)
   {

@@ -227,7 +227,7 @@ namespace conetact::contact
     };
 
     Rows
-    bound_rows(const Bodies        &bodies,
+    bound_rows(const model::Bodies &bodies,
                const ContactPoints &points,
                const Coordinates   &coordinates,
                const RigidMotions  &motions)
@@ -301,7 +301,7 @@ namespace conetact::contact
   }
 
   RedundantRows
-  find_redundant_rows(const Bodies        &bodies,
+  find_redundant_rows(const model::Bodies &bodies,
                       const ContactPoints &points,
                       const Coordinates   &coordinates,
                       const RigidMotions  &motions)

@@ -62,7 +62,7 @@ namespace conetact::contact
     }
 
     RigidModes::Motion
-    frame_of(const Bodies &bodies, const unsigned int body)
+    frame_of(const model::Bodies &bodies, const unsigned int body)
     {
       const bodies::Structure &structure = *bodies.structures[body];
       RigidModes::Motion       frame{
@@ -96,7 +96,7 @@ namespace conetact::contact
 
 
 
-  RigidModes::RigidModes(const Bodies &b)
+  RigidModes::RigidModes(const model::Bodies &b)
     : bodies(b)
     , n_one(n_modes(b.dim))
     , offset(1, 0)

@@ -18,9 +18,9 @@ namespace conetact::contact
   {
     /** Modes that move no node are no motions, such as the spin of a bar. */
     Eigen::MatrixXd
-    moving_nothing(const Bodies      &bodies,
-                   const RigidModes  &motions,
-                   const unsigned int body)
+    moving_nothing(const model::Bodies &bodies,
+                   const RigidModes    &motions,
+                   const unsigned int   body)
     {
       const bodies::Structure &structure = *bodies.structures[body];
       const Eigen::Index       n         = bodies.dim == 2 ? 3 : 6;
@@ -48,10 +48,10 @@ namespace conetact::contact
        matrix whose null space are the motions that no support resists.
        Rotations count in lengths, so that its eigenvalues compare. */
     Eigen::MatrixXd
-    squares_of_supports(const Bodies      &bodies,
-                        const NodeRules   &rules,
-                        const RigidModes  &modes,
-                        const Eigen::Index n_one)
+    squares_of_supports(const model::Bodies &bodies,
+                        const NodeRules     &rules,
+                        const RigidModes    &modes,
+                        const Eigen::Index   n_one)
     {
       const Eigen::Index n   = modes.none().size();
       Eigen::MatrixXd    sum = Eigen::MatrixXd::Zero(n, n);
@@ -74,17 +74,17 @@ namespace conetact::contact
     }
 
     Eigen::RowVectorXd
-    row_of(const Cut &cut, const RigidModes &modes)
+    row_of(const model::Cut &cut, const RigidModes &modes)
     {
       return modes.row(cut.body, modes.centre(cut.body), cut.axis);
     }
 
     void
-    add_squares_of_cuts(const Bodies     &bodies,
-                        const RigidModes &modes,
-                        Eigen::MatrixXd  &sum)
+    add_squares_of_cuts(const model::Bodies &bodies,
+                        const RigidModes    &modes,
+                        Eigen::MatrixXd     &sum)
     {
-      for (const Cut &cut : bodies.cuts)
+      for (const model::Cut &cut : bodies.cuts)
         if (cut.opening)
           {
             const Eigen::RowVectorXd e     = row_of(cut, modes);
@@ -95,10 +95,10 @@ namespace conetact::contact
 
     /** Amounts of cuts that are locked, and of nothing else. */
     RigidModes::Amounts
-    locked(const Bodies &bodies, const RigidModes &modes)
+    locked(const model::Bodies &bodies, const RigidModes &modes)
     {
       RigidModes::Amounts amounts = modes.none();
-      for (const Cut &cut : bodies.cuts)
+      for (const model::Cut &cut : bodies.cuts)
         if (cut.opening)
           {
             const Eigen::RowVectorXd e = row_of(cut, modes);
@@ -110,7 +110,7 @@ namespace conetact::contact
 
     /** Bodies that are tied reach each other only. */
     std::vector<bool>
-    reached_bodies(const Bodies &bodies, const RigidMotions &motions)
+    reached_bodies(const model::Bodies &bodies, const RigidMotions &motions)
     {
       std::vector<bool> reached(bodies.structures.size(), false);
       for (const pairing::ContactNode &node : bodies.contact_nodes)
@@ -126,9 +126,9 @@ namespace conetact::contact
 
     /** Whether ties join the body to others. */
     bool
-    is_tied(const unsigned int  body,
-            const Bodies       &bodies,
-            const RigidMotions &motions)
+    is_tied(const unsigned int   body,
+            const model::Bodies &bodies,
+            const RigidMotions  &motions)
     {
       for (unsigned int b = 0; b < bodies.structures.size(); ++b)
         if (b != body && motions.first_tied(b) == motions.first_tied(body))
@@ -137,7 +137,8 @@ namespace conetact::contact
     }
 
     void
-    refuse_loose_bodies(const Bodies &bodies, const RigidMotions &motions)
+    refuse_loose_bodies(const model::Bodies &bodies,
+                        const RigidMotions  &motions)
     {
       const std::vector<bool> reached = reached_bodies(bodies, motions);
       const Eigen::MatrixXd   loose   = motions.free() * motions.unresisted();
@@ -160,7 +161,7 @@ namespace conetact::contact
 
 
 
-  RigidMotions::RigidMotions(const Bodies        &b,
+  RigidMotions::RigidMotions(const model::Bodies &b,
                              const NodeRules     &r,
                              const ContactPoints &points)
     : RigidModes(b)
@@ -255,7 +256,7 @@ namespace conetact::contact
     const auto         is_locked = [&](const unsigned int body) {
       return std::any_of(bodies.cuts.begin(),
                          bodies.cuts.end(),
-                         [&](const Cut &cut) {
+                         [&](const model::Cut &cut) {
                            return cut.opening && cut.body == body;
                          });
     };
@@ -437,7 +438,7 @@ namespace conetact::contact
           }
         ties.add_missing(t, amounts, right);
         // What is locked does not give way to the others.
-        for (const Cut &cut : bodies.cuts)
+        for (const model::Cut &cut : bodies.cuts)
           if (cut.opening)
             right.segment(cut.body * n_one, n_one).setZero();
         amounts += held_inverse * right;

@@ -7,7 +7,7 @@
 
 namespace conetact::contact
 {
-  RigidTies::RigidTies(const Bodies        &bodies,
+  RigidTies::RigidTies(const model::Bodies &bodies,
                        const RigidModes    &modes,
                        const ContactPoints &points)
   {

@@ -18,7 +18,7 @@ namespace conetact::output
     constexpr std::size_t most_lines = 4;
 
     std::string
-    states(const RunDescription &run, const IncrementRecord &last)
+    states(const RunDescription &run, const model::IncrementRecord &last)
     {
       std::string text = "increment " + std::to_string(last.increment);
       if (run.n_increments > 0)
@@ -27,7 +27,7 @@ namespace conetact::output
       if (last.rows.empty())
         return text + ": no contact nodes";
       std::array<unsigned int, 3> n{};
-      for (const ContactRow &row : last.rows)
+      for (const model::ContactRow &row : last.rows)
         if (!row.master)
           ++n.at(static_cast<std::size_t>(row.state));
       return text + ": " + std::to_string(n[0]) + " contact nodes open, " +
@@ -36,7 +36,7 @@ namespace conetact::output
 
     /** Forces that are rounding noise read as 0. */
     std::string
-    force(const Resultant &resultant, const NoiseFloor &forces)
+    force(const model::Resultant &resultant, const NoiseFloor &forces)
     {
       Tensor<1, 3> clean;
       for (unsigned int d = 0; d < 3; ++d)
@@ -61,7 +61,7 @@ namespace conetact::output
 
     /** Tension of what a preload tightens: bolts. */
     std::string
-    tension(const std::string &name, const PreloadRecord &preload)
+    tension(const std::string &name, const model::PreloadRecord &preload)
     {
       return "preload of " + name + ": tension " + to_text(preload.force) +
              ", shortened by " + to_text(preload.shortening);
@@ -69,9 +69,9 @@ namespace conetact::output
 
     /** Supports and loads together; the table has each. */
     std::string
-    external(const RunDescription  &run,
-             const IncrementRecord &last,
-             const NoiseFloor      &forces)
+    external(const RunDescription         &run,
+             const model::IncrementRecord &last,
+             const NoiseFloor             &forces)
     {
       std::vector<std::string> parts;
       if (!run.supports.empty())
@@ -86,7 +86,7 @@ namespace conetact::output
 
   std::vector<std::string>
   closing_lines(const RunDescription         &run,
-                const IncrementRecord        &last,
+                const model::IncrementRecord &last,
                 const std::set<unsigned int> &faceted)
   {
     const NoiseFloor         forces = noise_of_forces(last);
@@ -108,7 +108,7 @@ namespace conetact::output
       lines);
     if (const std::string line = external(run, last, forces); !line.empty())
       lines.push_back(line);
-    if (const LargestDisplacement &moved = last.largest_displacement;
+    if (const model::LargestDisplacement &moved = last.largest_displacement;
         moved.size > 0)
       lines.push_back("largest displacement: " + to_text(moved.size) +
                       ", body " + run.bodies.at(moved.body) + " at " +

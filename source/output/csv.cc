@@ -108,12 +108,12 @@ namespace conetact::output
 
 
   NoiseFloor
-  noise_of_forces(const IncrementRecord &record)
+  noise_of_forces(const model::IncrementRecord &record)
   {
     NoiseFloor floor;
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       floor.see(row.reaction.norm());
-    for_each_resultant(record, [&](const Resultant &resultant) {
+    for_each_resultant(record, [&](const model::Resultant &resultant) {
       floor.see(resultant.force.norm());
     });
     return floor;
@@ -122,12 +122,12 @@ namespace conetact::output
 
 
   NoiseFloor
-  noise_of_moments(const IncrementRecord &record)
+  noise_of_moments(const model::IncrementRecord &record)
   {
     NoiseFloor floor;
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       floor.see(row.reaction.norm() * row.position.norm());
-    for_each_resultant(record, [&](const Resultant &resultant) {
+    for_each_resultant(record, [&](const model::Resultant &resultant) {
       floor.see(resultant.moment.norm());
     });
     return floor;

@@ -15,14 +15,14 @@ namespace conetact::output
     constexpr double more = 1 + 1e-9;
   } // namespace
 
-  LargestDisplacement
+  model::LargestDisplacement
   largest_displacement(
     const std::vector<const bodies::Structure *> &bodies,
     const std::size_t                             n_bodies,
     const std::function<double(const unsigned int, const unsigned int)> &size)
   {
     AssertIndexRange(n_bodies, bodies.size() + 1);
-    LargestDisplacement largest;
+    model::LargestDisplacement largest;
     for (unsigned int b = 0; b < n_bodies; ++b)
       for (unsigned int i = 0; i < bodies[b]->n_nodes(); ++i)
         if (const double here = size(b, i); here > more * largest.size)
@@ -31,11 +31,11 @@ namespace conetact::output
   }
 
   LargestPressure
-  largest_pressure(const IncrementRecord &record)
+  largest_pressure(const model::IncrementRecord &record)
   {
     const NoiseFloor forces = noise_of_forces(record);
     LargestPressure  largest;
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       if (!row.master && row.area > 0)
         if (const double here = forces.clean(row.reaction[0]) / row.area;
             here > more * largest.pressure)

@@ -129,7 +129,7 @@ namespace conetact::output
     /** Displacements of a body without its rigid motion, where these are known.
      */
     const Eigen::VectorXd &
-    deformation(const IncrementRecord &record, const std::size_t body)
+    deformation(const model::IncrementRecord &record, const std::size_t body)
     {
       return record.deformations.empty() ? record.displacements.at(body) :
                                            record.deformations.at(body);
@@ -203,7 +203,7 @@ namespace conetact::output
 
 
   void
-  Graphics::begin(const IncrementRecord &undeformed)
+  Graphics::begin(const model::IncrementRecord &undeformed)
   {
     if (run.vtu_every > 0)
       draw(undeformed);
@@ -212,9 +212,9 @@ namespace conetact::output
 
 
   void
-  Graphics::write(const std::vector<IncrementRecord> &finished)
+  Graphics::write(const std::vector<model::IncrementRecord> &finished)
   {
-    for (const IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       if (run.is_drawn(record.increment))
         {
           draw(record);
@@ -233,7 +233,7 @@ namespace conetact::output
 
 
   void
-  Graphics::draw(const IncrementRecord &record)
+  Graphics::draw(const model::IncrementRecord &record)
   {
     Assert(record.displacements.size() <= run.structures.size(),
            dealii::ExcMessage("What is drawn are bodies of the run."));
@@ -247,7 +247,8 @@ namespace conetact::output
 
 
   std::string
-  Graphics::stem(const IncrementRecord &record, const std::size_t body) const
+  Graphics::stem(const model::IncrementRecord &record,
+                 const std::size_t             body) const
   {
     return numbered("solution-" + names.at(body), record.increment);
   }
@@ -255,7 +256,7 @@ namespace conetact::output
 
 
   void
-  Graphics::write_rest(const IncrementRecord &record)
+  Graphics::write_rest(const model::IncrementRecord &record)
   {
     const auto list = [&](const std::vector<Block> &blocks, PvdFile &pvd) {
       if (!blocks.empty())
@@ -281,7 +282,7 @@ namespace conetact::output
 
 
   std::string
-  Graphics::text_of(VtuGrid grid, const IncrementRecord &record) const
+  Graphics::text_of(VtuGrid grid, const model::IncrementRecord &record) const
   {
     run.units.label(grid);
     return grid.text(record.time, record.increment);
@@ -290,7 +291,7 @@ namespace conetact::output
 
 
   void
-  Graphics::write_bodies(const IncrementRecord &record)
+  Graphics::write_bodies(const model::IncrementRecord &record)
   {
     const std::size_t n = record.displacements.size();
     for (std::size_t b = skins.size(); b < n; ++b)
@@ -306,7 +307,8 @@ namespace conetact::output
   /* In pieces where there are processes to share it; each keeps its cells from
      one increment to the next. */
   void
-  Graphics::write_body(const IncrementRecord &record, const unsigned int body)
+  Graphics::write_body(const model::IncrementRecord &record,
+                       const unsigned int            body)
   {
     VtuGrid grid = run.structures.at(body)->drawing(record.displacements[body],
                                                     deformation(record, body),
@@ -341,7 +343,7 @@ namespace conetact::output
 
 
   std::vector<Block>
-  Graphics::write_surfaces(const IncrementRecord &record) const
+  Graphics::write_surfaces(const model::IncrementRecord &record) const
   {
     std::vector<Block> blocks;
     for (unsigned int b = 0; b < record.displacements.size(); ++b)
@@ -360,7 +362,7 @@ namespace conetact::output
 
 
   std::vector<Block>
-  Graphics::write_contacts(const IncrementRecord &record) const
+  Graphics::write_contacts(const model::IncrementRecord &record) const
   {
     if (record.rows.empty())
       return {};

@@ -51,10 +51,10 @@ namespace conetact::output
 
 
   void
-  HistoryTable::write(const std::vector<IncrementRecord> &finished)
+  HistoryTable::write(const std::vector<model::IncrementRecord> &finished)
   {
     std::string text;
-    for (const IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       append(record, text);
     append_to_file(run.folder / "history.csv", text);
     n_bytes += text.size();
@@ -71,14 +71,15 @@ namespace conetact::output
 
 
   void
-  HistoryTable::append(const IncrementRecord &record, std::string &text) const
+  HistoryTable::append(const model::IncrementRecord &record,
+                       std::string                  &text) const
   {
     Assert(record.probes.empty() || record.probes.size() == run.probes.size(),
            dealii::ExcMessage("Each probe has its columns."));
     const std::string where = "Increment " + std::to_string(record.increment);
-    const LargestDisplacement &moved   = record.largest_displacement;
-    const LargestPressure      pressed = largest_pressure(record);
-    CsvRow                     csv(text, where);
+    const model::LargestDisplacement &moved   = record.largest_displacement;
+    const LargestPressure             pressed = largest_pressure(record);
+    CsvRow                            csv(text, where);
     csv.add(record.increment);
     csv.add("time", record.time);
     csv.add("the largest displacement", moved.size);

@@ -15,10 +15,10 @@ namespace conetact::output
   namespace
   {
     std::array<unsigned int, 3>
-    count_states(const std::vector<ContactRow> &rows)
+    count_states(const std::vector<model::ContactRow> &rows)
     {
       std::array<unsigned int, 3> n{};
-      for (const ContactRow &row : rows)
+      for (const model::ContactRow &row : rows)
         if (!row.master)
           ++n.at(static_cast<std::size_t>(row.state));
       return n;
@@ -27,12 +27,12 @@ namespace conetact::output
     /** The sum of value(row) over the rows of a contact. */
     template <typename Value>
     double
-    sum_over(const std::vector<ContactRow> &rows,
-             const unsigned int             contact,
-             const Value                   &value)
+    sum_over(const std::vector<model::ContactRow> &rows,
+             const unsigned int                    contact,
+             const Value                          &value)
     {
       double sum = 0;
-      for (const ContactRow &row : rows)
+      for (const model::ContactRow &row : rows)
         if (row.contact == contact)
           sum += value(row);
       return sum;
@@ -40,14 +40,14 @@ namespace conetact::output
 
     /** What is rubbed off both sides of a contact node [length^3]. */
     double
-    worn_volume(const ContactRow &row)
+    worn_volume(const model::ContactRow &row)
     {
       return (row.wear + row.wear_opposite) * row.area;
     }
 
     /** Work against its bond [force x length]. */
     double
-    fracture(const ContactRow &row)
+    fracture(const model::ContactRow &row)
     {
       return row.fracture;
     }
@@ -65,7 +65,7 @@ namespace conetact::output
   class IncrementTable::Columns
   {
   public:
-    explicit Columns(const IncrementRecord &record)
+    explicit Columns(const model::IncrementRecord &record)
       : csv(cells, "Increment " + std::to_string(record.increment))
       , forces(noise_of_forces(record))
       , moments(noise_of_moments(record))
@@ -88,28 +88,23 @@ namespace conetact::output
       add_name(name);
       csv.add(cell);
     }
+    /** Columns NAMEx, NAMEy, NAMEz. */
     void
-    add_vector(const std::string                &name,
-               const std::array<const char *, 3> components,
-               const Tensor<1, 3>               &v)
+    add_vector(const std::string &name, const Tensor<1, 3> &v)
     {
       for (unsigned int d = 0; d < 3; ++d)
-        add(name + components[d], v[d]);
+        add(name + "xyz"[d], v[d]);
     }
     /** A force and its moment, what is noise as 0. Different names may be equal
      * in letters that are safe. */
     void
-    add_resultant(const std::string &name, const Resultant &resultant)
+    add_resultant(const std::string &name, const model::Resultant &resultant)
     {
       std::string unique = name;
       for (unsigned int i = 2; !taken.insert(unique).second; ++i)
         unique = name + '_' + std::to_string(i);
-      add_vector(unique,
-                 {"_f_x", "_f_y", "_f_z"},
-                 clean(forces, resultant.force));
-      add_vector(unique,
-                 {"_m_x", "_m_y", "_m_z"},
-                 clean(moments, resultant.moment));
+      add_vector(unique + "_f_", clean(forces, resultant.force));
+      add_vector(unique + "_m_", clean(moments, resultant.moment));
     }
 
     std::string names, cells;
@@ -142,7 +137,8 @@ namespace conetact::output
 
 
   void
-  IncrementTable::fill(const IncrementRecord &record, Columns &columns) const
+  IncrementTable::fill(const model::IncrementRecord &record,
+                       Columns                      &columns) const
   {
     Assert(record.contacts.size() <= run.contacts.size(),
            dealii::ExcMessage("Each contact has its columns."));
@@ -183,8 +179,8 @@ namespace conetact::output
 
   /* One by one, and energies. */
   void
-  IncrementTable::fill_external(const IncrementRecord &record,
-                                Columns               &columns) const
+  IncrementTable::fill_external(const model::IncrementRecord &record,
+                                Columns                      &columns) const
   {
     for (std::size_t k = 0; k < run.supports.size(); ++k)
       columns.add_resultant("support_" + safe_name(run.supports[k]),
@@ -203,25 +199,21 @@ namespace conetact::output
 
   /* What only some scenes have comes last. */
   void
-  IncrementTable::fill_further(const IncrementRecord &record,
-                               Columns               &columns) const
+  IncrementTable::fill_further(const model::IncrementRecord &record,
+                               Columns                      &columns) const
   {
     for (std::size_t k = 0; k < run.obstacles.size(); ++k)
       {
-        const std::string    name = "obstacle_" + safe_name(run.obstacles[k]);
-        const ObstacleRecord obstacle = entry(record.obstacles, k);
-        columns.add_vector(name,
-                           {"_u_x", "_u_y", "_u_z"},
-                           obstacle.displacement);
-        columns.add_vector(name,
-                           {"_rot_x", "_rot_y", "_rot_z"},
-                           obstacle.rotation);
+        const std::string name = "obstacle_" + safe_name(run.obstacles[k]);
+        const model::ObstacleRecord obstacle = entry(record.obstacles, k);
+        columns.add_vector(name + "_u_", obstacle.displacement);
+        columns.add_vector(name + "_rot_", obstacle.rotation);
         columns.add_resultant(name, obstacle.contacts);
       }
     const std::vector<std::string> preloads = safe_names(run.preloads);
     for (std::size_t k = 0; k < preloads.size(); ++k)
       {
-        const PreloadRecord preload = entry(record.preloads, k);
+        const model::PreloadRecord preload = entry(record.preloads, k);
         columns.add("preload_" + preloads[k] + "_force", preload.force);
         columns.add("preload_" + preloads[k] + "_shortening",
                     preload.shortening);
@@ -241,8 +233,8 @@ namespace conetact::output
   std::string
   IncrementTable::header() const
   {
-    const IncrementRecord nothing;
-    Columns               columns(nothing);
+    const model::IncrementRecord nothing;
+    Columns                      columns(nothing);
     fill(nothing, columns);
     return columns.names + '\n';
   }
@@ -250,7 +242,7 @@ namespace conetact::output
 
 
   std::string
-  IncrementTable::row(const IncrementRecord &record) const
+  IncrementTable::row(const model::IncrementRecord &record) const
   {
     Columns columns(record);
     fill(record, columns);

@@ -65,9 +65,9 @@ namespace conetact::output
 
 
   void
-  ProblemFiles::write(const std::vector<IncrementRecord> &finished)
+  ProblemFiles::write(const std::vector<model::IncrementRecord> &finished)
   {
-    for (const IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       if (record.condensed && increments.count(record.increment) > 0)
         write_problem(record);
   }
@@ -75,11 +75,12 @@ namespace conetact::output
 
 
   void
-  ProblemFiles::write_problem([[maybe_unused]] const IncrementRecord &record)
+  ProblemFiles::write_problem(
+    [[maybe_unused]] const model::IncrementRecord &record)
   {
 #ifdef CONETACT_HAVE_FCLIB
-    const CondensedIncrement &condensed = *record.condensed;
-    const std::string         increment =
+    const model::CondensedIncrement &condensed = *record.condensed;
+    const std::string                increment =
       "increment " + std::to_string(record.increment);
     try
       {

@@ -19,9 +19,9 @@ namespace conetact::output
 
 
   void
-  ProblemTexts::write(const std::vector<IncrementRecord> &finished)
+  ProblemTexts::write(const std::vector<model::IncrementRecord> &finished)
   {
-    for (const IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       if (record.condensed && increments.count(record.increment) > 0)
         {
           solvers::StoredProblem stored;

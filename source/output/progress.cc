@@ -39,9 +39,9 @@ namespace conetact::output
     }
 
     double
-    part_done(const IncrementRecord &record,
-              const unsigned int     n_increments,
-              const double           end)
+    part_done(const model::IncrementRecord &record,
+              const unsigned int            n_increments,
+              const double                  end)
     {
       const double part = n_increments > 0 ?
                             double(record.increment) / n_increments :
@@ -65,15 +65,15 @@ namespace conetact::output
 
 
   std::string
-  progress_line(const IncrementRecord &record,
-                const unsigned int     n_increments,
-                const double           end,
-                const double           elapsed)
+  progress_line(const model::IncrementRecord &record,
+                const unsigned int            n_increments,
+                const double                  end,
+                const double                  elapsed)
   {
     Assert(record.increment >= 1,
            dealii::ExcMessage("Increments count from 1."));
     std::array<unsigned int, 3> n{};
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       if (!row.master) // a pair of bodies counts once, as in increments.csv
         ++n.at(static_cast<std::size_t>(row.state));
     const double part = part_done(record, n_increments, end);
@@ -107,13 +107,13 @@ namespace conetact::output
 
 
   void
-  Progress::write(const std::vector<IncrementRecord> &finished)
+  Progress::write(const std::vector<model::IncrementRecord> &finished)
   {
     if (!shown)
       return;
     const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
-    for (const IncrementRecord &record : finished)
+    for (const model::IncrementRecord &record : finished)
       std::cout << progress_line(record, n_increments, end, elapsed.count())
                 << std::endl;
   }

@@ -42,12 +42,12 @@ namespace conetact::output
 
 
   std::string
-  ReactionTable::rows(const IncrementRecord &record) const
+  ReactionTable::rows(const model::IncrementRecord &record) const
   {
     const NoiseFloor forces = noise_of_forces(record);
     std::string      text;
     text.reserve(384 * record.rows.size());
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       append(text, record, row, forces);
     return text;
   }
@@ -55,10 +55,10 @@ namespace conetact::output
 
 
   void
-  ReactionTable::append(std::string           &text,
-                        const IncrementRecord &record,
-                        const ContactRow      &row,
-                        const NoiseFloor      &forces) const
+  ReactionTable::append(std::string                  &text,
+                        const model::IncrementRecord &record,
+                        const model::ContactRow      &row,
+                        const NoiseFloor             &forces) const
   {
     AssertIndexRange(row.contact, run.contacts.size());
     const std::string &contact = run.contacts.at(row.contact);

@@ -27,7 +27,7 @@ namespace conetact::output
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
     Tensor<1, 3>
-    slip_of(const ContactRow &row)
+    slip_of(const model::ContactRow &row)
     {
       return row.du[1] * row.t1 + row.du[2] * row.t2;
     }
@@ -42,7 +42,7 @@ namespace conetact::output
       Tensor<1, 3> traction, slip;
 
       void
-      add(const ContactRow &row)
+      add(const model::ContactRow &row)
       {
         const double p     = row.traction()[0];
         const bool   first = state < 0;
@@ -70,12 +70,12 @@ namespace conetact::output
     };
 
     std::map<unsigned int, ContactHere>
-    contact_on(const RunDescription  &run,
-               const IncrementRecord &record,
-               const unsigned int     body)
+    contact_on(const RunDescription         &run,
+               const model::IncrementRecord &record,
+               const unsigned int            body)
     {
       std::map<unsigned int, ContactHere> nodes;
-      for (const ContactRow &row : record.rows)
+      for (const model::ContactRow &row : record.rows)
         if (run.contact_bodies.at(row.contact) == body)
           nodes[row.node].add(row);
       return nodes;
@@ -92,7 +92,7 @@ namespace conetact::output
     std::vector<ContactHere>
     contact_at(const std::vector<unsigned int> &nodes,
                const RunDescription            &run,
-               const IncrementRecord           &record,
+               const model::IncrementRecord    &record,
                const unsigned int               body,
                const ContactHere               &elsewhere)
     {
@@ -174,10 +174,10 @@ namespace conetact::output
 
 
   Tensor<1, 3>
-  displacement_of(const RunDescription  &run,
-                  const IncrementRecord &record,
-                  const unsigned int     body,
-                  const unsigned int     node)
+  displacement_of(const RunDescription         &run,
+                  const model::IncrementRecord &record,
+                  const unsigned int            body,
+                  const unsigned int            node)
   {
     Tensor<1, 3> displacement;
     if (body < record.displacements.size())
@@ -192,10 +192,10 @@ namespace conetact::output
 
 
   VtuGrid
-  draw_skin(const Skin            &skin,
-            const RunDescription  &run,
-            const IncrementRecord &record,
-            const unsigned int     body)
+  draw_skin(const Skin                   &skin,
+            const RunDescription         &run,
+            const model::IncrementRecord &record,
+            const unsigned int            body)
   {
     AssertIndexRange(body, run.structures.size());
     AssertDimension(skin.nodes.size(), skin.grid.points.size());
@@ -220,10 +220,10 @@ namespace conetact::output
 
 
   void
-  add_contact(const RunDescription  &run,
-              const IncrementRecord &record,
-              const unsigned int     body,
-              VtuGrid               &grid)
+  add_contact(const RunDescription         &run,
+              const model::IncrementRecord &record,
+              const unsigned int            body,
+              VtuGrid                      &grid)
   {
     if (run.contacts.empty())
       return;
@@ -242,7 +242,8 @@ namespace conetact::output
 
 
   VtuGrid
-  draw_contact_nodes(const RunDescription &run, const IncrementRecord &record)
+  draw_contact_nodes(const RunDescription         &run,
+                     const model::IncrementRecord &record)
   {
     VtuGrid grid;
     VtuIds  bodies{"body", {}};
@@ -256,7 +257,7 @@ namespace conetact::output
                          {"state", 1, {}},
                          {"contact", 1, {}},
                          {"pressure", 1, {}}};
-    for (const ContactRow &row : record.rows)
+    for (const model::ContactRow &row : record.rows)
       {
         const Tensor<1, 3> reaction = row.in_space(row.reaction);
         const unsigned int body     = run.contact_bodies.at(row.contact);

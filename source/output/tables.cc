@@ -68,7 +68,7 @@ namespace conetact::output
 
 
   void
-  Tables::write(const std::vector<IncrementRecord> &finished)
+  Tables::write(const std::vector<model::IncrementRecord> &finished)
   {
     std::string new_reactions, new_increments, new_others, new_branches;
     const auto  publish = [&] {
@@ -82,19 +82,20 @@ namespace conetact::output
     };
     try
       {
-        for (const IncrementRecord &record : finished)
+        for (const model::IncrementRecord &record : finished)
           {
             const std::string rows = reactions.rows(record);
             new_increments += increments.row(record);
             new_reactions += rows;
-            const auto of_solution = [&](const std::vector<ContactRow> &own) {
-              IncrementRecord other = record;
-              other.rows            = own;
-              return reactions.rows(other);
-            };
+            const auto of_solution =
+              [&](const std::vector<model::ContactRow> &own) {
+                model::IncrementRecord other = record;
+                other.rows                   = own;
+                return reactions.rows(other);
+              };
             if (!record.other_rows.empty())
               new_others += of_solution(record.other_rows);
-            for (const BranchRows &branch : record.branches)
+            for (const model::BranchRows &branch : record.branches)
               new_branches += with_prefix(std::to_string(branch.number) + ',' +
                                             std::to_string(branch.parent) + ',',
                                           of_solution(branch.rows));

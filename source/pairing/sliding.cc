@@ -457,9 +457,7 @@ namespace conetact::pairing
               boundary =
                 std::make_unique<FaceNet>(slave,
                                           slave.surface(slave.boundary_ids()));
-            // far away the nearest faces alone may mislead
-            const double inside =
-              boundary->encloses(p) ? -boundary->signed_distance(p) : 0.;
+            const double inside = boundary->depth(p);
             if (inside > depth)
               return {DeepNode{c, node.node, inside}, 0};
             side    = inside > 0 ? -1 : 1;

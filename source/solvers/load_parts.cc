@@ -23,6 +23,38 @@ namespace conetact::solvers
       v.tail(system.n_motions).setZero();
       return v;
     }
+
+    /** What the start of an increment and its end differ in: load and offset.
+     */
+    struct Change
+    {
+      VectorXd of_load, of_offset;
+      VectorXd offset_at_end;
+    };
+
+    /**
+     * The start of the increment as the end of one without change: v = (0, gap)
+     * with the reactions and elastic displacements at hand.
+     */
+    Change
+    change_of(const ContactProblem &problem, const ContactState &state)
+    {
+      const ContactSystem &system = *problem.system;
+      const VectorXd       v      = start_of(system, problem.gap);
+      Change               change;
+      if (system.form == Form::compliance)
+        {
+          change.of_load = problem.load - (v - multiply(system, state.r));
+          return change;
+        }
+      const VectorXd u =
+        problem.offset.size() > 0 && state.u.size() > 0 ? state.u : v;
+      change.of_load = problem.load - (multiply(system, u) - state.r);
+      change.offset_at_end =
+        problem.offset.size() > 0 ? problem.offset : VectorXd::Zero(v.size());
+      change.of_offset = change.offset_at_end - (v - u);
+      return change;
+    }
   } // namespace
 
 
@@ -35,6 +67,27 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       result(system.normal(i)) = gap(i);
     return result;
+  }
+
+
+
+  LoadParts
+  parts_from(const ContactState &state, const ContactProblem &problem)
+  {
+    LoadParts parts;
+    parts.load = [&problem,
+                  change = change_of(problem, state)](const double    done,
+                                                      const VectorXd &slipped,
+                                                      ContactProblem &part) {
+      // What has slipped so far is part of the load of the next part.
+      part.load = problem.load - (1 - done) * change.of_load;
+      if (problem.system->form == Form::stiffness)
+        part.offset =
+          change.offset_at_end - (1 - done) * change.of_offset - slipped;
+      else
+        part.load -= slipped;
+    };
+    return parts;
   }
 
 

@@ -25,7 +25,7 @@ namespace conetact::verification
       16 * std::numeric_limits<double>::epsilon();
 
     std::string
-    place(const contact::Bodies &bodies, const contact::ContactPoint &point)
+    place(const model::Bodies &bodies, const contact::ContactPoint &point)
     {
       return "the contact node at " + to_text(point.node->position) +
              " of body '" + bodies.names[point.node->body] + "' ";
@@ -214,7 +214,7 @@ namespace conetact::verification
 
 
 
-  ContactLaw::ContactLaw(const contact::Bodies        &b,
+  ContactLaw::ContactLaw(const model::Bodies          &b,
                          const contact::ElasticSystem &e,
                          const contact::ContactPoints &contacts,
                          const double                  tol)

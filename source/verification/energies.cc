@@ -38,7 +38,7 @@ namespace conetact::verification
     void
     add_foundations(const Finding                    &finding,
                     std::vector<contact::Foundation> &before,
-                    output::IncrementRecord          &record)
+                    model::IncrementRecord           &record)
     {
       for (std::size_t s = 0; s < finding.foundations.size(); ++s)
         if (const contact::Foundation &f = finding.foundations[s];
@@ -60,7 +60,7 @@ namespace conetact::verification
                 const double                  t,
                 const contact::SharedVector  &u,
                 const Finding                &finding,
-                output::IncrementRecord      &record)
+                model::IncrementRecord       &record)
   {
     AssertDimension(r.size(), points.n_all_unknowns());
     AssertDimension(finding.acting.size(), share.size());

@@ -36,7 +36,7 @@ namespace conetact::verification
     }
 
     Point<3>
-    centre_of(const contact::Bodies &bodies, const unsigned int body)
+    centre_of(const model::Bodies &bodies, const unsigned int body)
     {
       Point<3>           centre;
       const unsigned int n = bodies.structures[body]->n_nodes();
@@ -49,7 +49,7 @@ namespace conetact::verification
     class Collector
     {
     public:
-      Collector(const contact::Bodies &b, ExternalForces &e)
+      Collector(const model::Bodies &b, ExternalForces &e)
         : bodies(b)
         , all(e)
       {
@@ -59,7 +59,7 @@ namespace conetact::verification
       }
 
       void
-      act(output::Resultant  &resultant,
+      act(model::Resultant   &resultant,
           const unsigned int  body,
           const Point<3>     &p,
           const Tensor<1, 3> &force,
@@ -69,8 +69,8 @@ namespace conetact::verification
           return; // as on most nodes
         Balance &balance = all.bodies[body];
         // What opens a cut is no body: it balances, nothing else knows it.
-        output::Resultant  unseen;
-        output::Resultant &sum = is_cut(body) ? unseen : resultant;
+        model::Resultant  unseen;
+        model::Resultant &sum = is_cut(body) ? unseen : resultant;
         sum.force += force;
         balance.forces += force.norm();
         balance.largest = std::max(balance.largest, force.norm());
@@ -96,7 +96,7 @@ namespace conetact::verification
 
       /** Forces on all dofs, of nodes of this process. */
       void
-      act(output::Resultant       &resultant,
+      act(model::Resultant        &resultant,
           const contact::DofShare &share,
           const Eigen::VectorXd   &forces)
       {
@@ -121,7 +121,7 @@ namespace conetact::verification
         if (!share.is_shared())
           return;
         std::vector<double *> sums, largest;
-        const auto            add = [&](output::Resultant &resultant) {
+        const auto            add = [&](model::Resultant &resultant) {
           for (Tensor<1, 3> *const v : {&resultant.force, &resultant.moment})
             for (unsigned int d = 0; d < 3; ++d)
               sums.push_back(&(*v)[d]);
@@ -135,7 +135,7 @@ namespace conetact::verification
                            {&balance.largest, &balance.largest_moment});
           }
         for (auto *const list : {&all.contacts, &all.masters, &all.supports})
-          for (output::Resultant &resultant : *list)
+          for (model::Resultant &resultant : *list)
             add(resultant);
         add(all.loads);
         take(share.sum(numbers_at(sums)), sums);
@@ -165,9 +165,9 @@ namespace conetact::verification
         return body >= bodies.n_elastic() + bodies.n_free_obstacles();
       }
 
-      const contact::Bodies &bodies;
-      ExternalForces        &all;
-      std::vector<Point<3>>  centres;
+      const model::Bodies  &bodies;
+      ExternalForces       &all;
+      std::vector<Point<3>> centres;
     };
 
     /** Forces along what supports hold, each by the first that holds it. */
@@ -177,7 +177,7 @@ namespace conetact::verification
                      Collector             &collector,
                      ExternalForces        &all)
     {
-      const contact::Bodies &bodies = on.bodies;
+      const model::Bodies &bodies = on.bodies;
       for (const contact::NodeRule &rule : on.plain.rules().rules())
         {
           const Eigen::Index of_all = on.plain.dof(rule.body, rule.node);
@@ -248,7 +248,7 @@ namespace conetact::verification
           const Tensor<1, 3> force = contact::force_of(point, r);
           // The opposite force, shared as the displacements of the masters are:
           // no work is lost where the gap stays as it is. Slaves come first.
-          const auto act = [&](output::Resultant &side,
+          const auto act = [&](model::Resultant  &side,
                                const unsigned int body,
                                const unsigned int i,
                                const double       weight) {
@@ -271,8 +271,8 @@ namespace conetact::verification
 
 
 
-  output::Resultant
-  resultant(const contact::Bodies      &bodies,
+  model::Resultant
+  resultant(const model::Bodies        &bodies,
             const contact::Coordinates &plain,
             const Eigen::VectorXd      &forces)
   {

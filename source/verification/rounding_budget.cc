@@ -23,7 +23,7 @@ namespace conetact::verification
 
 
 
-  RoundingBudget::RoundingBudget(const contact::Bodies        &b,
+  RoundingBudget::RoundingBudget(const model::Bodies          &b,
                                  const contact::ElasticSystem &e,
                                  const contact::Coordinates   &p,
                                  const contact::ContactPoints &contacts,

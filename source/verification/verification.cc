@@ -37,7 +37,7 @@ namespace conetact::verification
 
 
 
-  Verification::Verification(const contact::Bodies        &b,
+  Verification::Verification(const model::Bodies          &b,
                              const contact::ElasticSystem &e,
                              const contact::Coordinates   &p,
                              const contact::RigidMotions  &m,

@@ -54,7 +54,7 @@ namespace conetact::analysis
       return verification.accepted_time();
     }
     /** What its table would have of an increment that is not completed. */
-    std::vector<output::ContactRow>
+    std::vector<model::ContactRow>
     rows_of(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
 
     /**
@@ -82,7 +82,7 @@ namespace conetact::analysis
     restore(const Archive &archive);
 
     /** Increment 0: the bodies before anything acts. */
-    output::IncrementRecord
+    model::IncrementRecord
     undeformed() const;
 
     /** Displacements of all dofs. */

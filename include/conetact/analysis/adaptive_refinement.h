@@ -47,10 +47,10 @@ namespace conetact::analysis
      * next one. Throws WriteError, AnalysisError at a non-finite number.
      */
     void
-    advance(const application::Scene      &scene,
-            const output::IncrementRecord &last,
-            const std::filesystem::path   &folder,
-            Log                           &log);
+    advance(const application::Scene     &scene,
+            const model::IncrementRecord &last,
+            const std::filesystem::path  &folder,
+            Log                          &log);
 
     /** All processes get what the first one has. */
     void

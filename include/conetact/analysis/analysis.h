@@ -89,7 +89,7 @@ namespace conetact::analysis
     work() const;
 
     /** The last increment with its displacements, of adaptive scenes only. */
-    const output::IncrementRecord &
+    const model::IncrementRecord &
     last_increment() const
     {
       return final_record;
@@ -115,17 +115,17 @@ namespace conetact::analysis
              const verification::Finding &finding,
              const Eigen::VectorXd       &w);
     void
-    write(const std::vector<output::IncrementRecord> &finished);
+    write(const std::vector<model::IncrementRecord> &finished);
     /** "Increment 3 of 5", for messages. */
     virtual std::string
-    name(const output::IncrementRecord &record) const = 0;
+    name(const model::IncrementRecord &record) const = 0;
     /** Why there is no result, as a sentence. */
     std::string
-    failed(const output::IncrementRecord &record, const std::string &why) const;
+    failed(const model::IncrementRecord &record, const std::string &why) const;
 
     ContactNotices           notices;
     output::RunDescription   description;
-    output::IncrementRecord  final_record;  ///< of adaptive scenes
+    model::IncrementRecord   final_record;  ///< of adaptive scenes
     std::vector<std::string> closing_lines; ///< of the last increment
     unsigned int             n_on_disk = 0; ///< increments
     /** Null: those of the first process. */

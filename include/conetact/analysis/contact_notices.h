@@ -34,7 +34,7 @@ namespace conetact::analysis
 
     /** Takes down what is closed at the end of an increment. */
     void
-    see(const output::IncrementRecord &record);
+    see(const model::IncrementRecord &record);
 
     /** Contacts whose pressures are those of facets at the last increment. */
     const std::set<unsigned int> &

@@ -77,8 +77,8 @@ namespace conetact::analysis
     void
     warn_of_nodes(const PendingIncrement &increment, const Eigen::VectorXd &u);
     void
-    keep(PendingIncrement                     &increment,
-         std::vector<output::IncrementRecord> &finished);
+    keep(PendingIncrement                    &increment,
+         std::vector<model::IncrementRecord> &finished);
 
     /** Prepares another way to increment k, which has failed; throws
      * AnalysisError where there is none. */
@@ -107,7 +107,7 @@ namespace conetact::analysis
     [[noreturn]] void
     stop();
     std::string
-    name(const output::IncrementRecord &record) const override;
+    name(const model::IncrementRecord &record) const override;
 
     IncrementParts      parts; ///< of the one that is next
     IncrementSolver     solver;

@@ -53,15 +53,15 @@ namespace conetact::analysis
     /** A part was accepted. Returns whether it was the last one, whose record
      * becomes that of the increment. */
     bool
-    take(output::IncrementRecord &record);
+    take(model::IncrementRecord &record);
 
   private:
     void
-    add_to(output::IncrementRecord &record) const;
+    add_to(model::IncrementRecord &record) const;
 
-    std::vector<double>     ends; ///< of parts to come, the next one last
-    output::IncrementRecord sum;
-    unsigned int            n_taken = 0;
+    std::vector<double>    ends; ///< of parts to come, the next one last
+    model::IncrementRecord sum;
+    unsigned int           n_taken = 0;
   };
 } // namespace conetact::analysis
 

@@ -127,7 +127,7 @@ namespace conetact::analysis
     shorten_way(PendingIncrement              &increment,
                 const solvers::ContactProblem &problem);
     /** Rows of another solution of an increment that begins with `before`. */
-    std::vector<output::ContactRow>
+    std::vector<model::ContactRow>
     rows_of(const AnotherSolution         &solution,
             const contact::ContactHistory &before,
             const PendingIncrement        &increment);

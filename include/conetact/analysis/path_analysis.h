@@ -44,8 +44,8 @@ namespace conetact::analysis
     struct Case
     {
       Eigen::VectorXd forces, mechanical; ///< nodal, all dofs [force]
-      std::vector<output::Resultant> each_load;
-      contact::LoadCase              load;
+      std::vector<model::Resultant> each_load;
+      contact::LoadCase             load;
       Eigen::VectorXd relation; ///< load of the system, v = (u_t, g)
       Eigen::VectorXd f;        ///< total: K v = r + f with v = (u_t, g)
     };
@@ -92,7 +92,7 @@ namespace conetact::analysis
     std::string
     node_name(const Eigen::Index i) const;
     std::string
-    name(const output::IncrementRecord &record) const override;
+    name(const model::IncrementRecord &record) const override;
 
     struct Waiting
     {

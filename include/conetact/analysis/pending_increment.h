@@ -22,19 +22,19 @@ namespace conetact::analysis
   {
     contact::ContactHistory before, after;
 
-    output::IncrementRecord record     = {};
-    contact::SharedVector   forces     = {}; ///< nodal loads, all dofs
-    contact::SharedVector   mechanical = {}; ///< those without thermal ones
-    contact::LoadCase       load       = {};
-    solvers::ContactState   state      = {};
-    Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns
-    Eigen::VectorXd         primal  = {}; ///< as Elasticity::expand() takes it
-    Eigen::VectorXd         motions = {}; ///< amounts of the free motions
-    Eigen::VectorXd         base    = {}; ///< those that it was solved about
-    contact::BoundState     bound   = {}; ///< ties and bilateral contacts
-    solvers::ContactState   end     = {}; ///< as the solver left it
-    Eigen::VectorXd         thermal = {}; ///< nodal forces, or none
-    std::vector<bool>       wet     = {}; ///< candidates; empty: none
+    model::IncrementRecord record     = {};
+    contact::SharedVector  forces     = {}; ///< nodal loads, all dofs
+    contact::SharedVector  mechanical = {}; ///< those without thermal ones
+    contact::LoadCase      load       = {};
+    solvers::ContactState  state      = {};
+    Eigen::VectorXd        contact = {}; ///< displacements of contact unknowns
+    Eigen::VectorXd        primal  = {}; ///< as Elasticity::expand() takes it
+    Eigen::VectorXd        motions = {}; ///< amounts of the free motions
+    Eigen::VectorXd        base    = {}; ///< those that it was solved about
+    contact::BoundState    bound   = {}; ///< ties and bilateral contacts
+    solvers::ContactState  end     = {}; ///< as the solver left it
+    Eigen::VectorXd        thermal = {}; ///< nodal forces, or none
+    std::vector<bool>      wet     = {}; ///< candidates; empty: none
     std::shared_ptr<const AnotherSolution> another = {}; ///< or none
   };
 } // namespace conetact::analysis

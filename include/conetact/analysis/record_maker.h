@@ -23,18 +23,18 @@ namespace conetact::analysis
 
     /** Of contacts, supports, loads and obstacles, and how they balance. */
     void
-    add_resultants(output::IncrementRecord     &record,
+    add_resultants(model::IncrementRecord      &record,
                    const verification::Finding &finding);
     /** What history.csv tells of displacements of all dofs. */
     void
-    observe(output::IncrementRecord &record, const Eigen::VectorXd &u) const;
+    observe(model::IncrementRecord &record, const Eigen::VectorXd &u) const;
     /** What is drawn: displacements u, of which w is deformation. */
     void
-    add_displacements(output::IncrementRecord &record,
-                      const Eigen::VectorXd   &u,
-                      const Eigen::VectorXd   &w) const;
+    add_displacements(model::IncrementRecord &record,
+                      const Eigen::VectorXd  &u,
+                      const Eigen::VectorXd  &w) const;
     /** Bodies before anything acts. */
-    output::IncrementRecord
+    model::IncrementRecord
     undeformed() const;
 
     void
@@ -44,10 +44,10 @@ namespace conetact::analysis
 
   private:
     void
-    add_obstacles(output::IncrementRecord     &record,
+    add_obstacles(model::IncrementRecord      &record,
                   const verification::Finding &finding) const;
     void
-    add_preloads(output::IncrementRecord     &record,
+    add_preloads(model::IncrementRecord      &record,
                  const verification::Finding &finding) const;
 
     const application::Scene    &scene;

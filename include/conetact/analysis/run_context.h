@@ -46,7 +46,7 @@ namespace conetact::analysis
     duration(const unsigned int k) const;
     /** "Increment 3 of 5", for messages. */
     std::string
-    increment_name(const output::IncrementRecord &record) const;
+    increment_name(const model::IncrementRecord &record) const;
 
     const application::Scene &scene;
     Log                      &log;

@@ -33,9 +33,9 @@ namespace conetact::analysis
 
   /** That `n_shared` bodies equal others and are not condensed. */
   void
-  report_shared_bodies(const contact::Bodies &bodies,
-                       const unsigned int     n_shared,
-                       Log                   &log);
+  report_shared_bodies(const model::Bodies &bodies,
+                       const unsigned int   n_shared,
+                       Log                 &log);
 
   /** What the increments were spared, to the log. */
   void

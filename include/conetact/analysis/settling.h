@@ -38,17 +38,17 @@ namespace conetact::analysis
     /** Whether contacts that do not stay are near enough to those at the end,
      * or cutting the increment would not help. */
     bool
-    may_take(const output::IncrementRecord &record,
-             const pairing::FoundChange    &change) const;
+    may_take(const model::IncrementRecord &record,
+             const pairing::FoundChange   &change) const;
     /** Why the contacts that were found cannot be those; no failure: they can.
      */
     Failure
-    passes_through(const output::IncrementRecord &record,
-                   const Eigen::VectorXd         &u);
+    passes_through(const model::IncrementRecord &record,
+                   const Eigen::VectorXd        &u);
     /** They are taken, and said. */
     void
-    say_unsettled(const output::IncrementRecord &record,
-                  const pairing::FoundChange    &change);
+    say_unsettled(const model::IncrementRecord &record,
+                  const pairing::FoundChange   &change);
 
     RunContext           &run;
     IncrementSolver      &solver;

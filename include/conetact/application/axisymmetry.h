@@ -27,7 +27,7 @@ namespace conetact::application
 
   /** Bodies of revolution stay on their axis: a support of each. */
   void
-  hold_axes(contact::Bodies &bodies);
+  hold_axes(model::Bodies &bodies);
 } // namespace conetact::application
 
 #endif

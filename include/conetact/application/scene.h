@@ -101,7 +101,7 @@ namespace conetact::application
     void
     check_stages() const;
 
-    contact::Bodies          bodies;
+    model::Bodies            bodies;
     std::vector<std::string> contact_names, support_names, load_names;
     /**
      * Names of all contacts, then of the masters' sides of pairs, with their

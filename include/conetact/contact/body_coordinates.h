@@ -19,7 +19,7 @@ namespace conetact::contact
   {
   public:
     /** `coordinates` without contacts; references must outlive the object. */
-    BodyCoordinates(const Bodies        &bodies,
+    BodyCoordinates(const model::Bodies &bodies,
                     const Coordinates   &coordinates,
                     const ContactPoints *points = nullptr);
 
@@ -83,8 +83,8 @@ namespace conetact::contact
                const unsigned int component,
                const double       factor);
 
-    const Bodies      &bodies;
-    const Coordinates &coordinates;
+    const model::Bodies &bodies;
+    const Coordinates   &coordinates;
     /** By numbers of nodes; null: none of the point's directions. */
     std::vector<const ContactPoint *> point_of_node;
     std::vector<Eigen::Index>         first_unknown; ///< of each body

@@ -16,7 +16,7 @@ namespace conetact::contact
   public:
     /** Bodies::frames become those at the start. References must outlive the
      * object. Throws InputError where a Turn cannot be followed. */
-    BodyFrames(Bodies              &bodies,
+    BodyFrames(model::Bodies       &bodies,
                const NodeRules     &rules,
                const ContactPoints &points,
                const RigidMotions  &motions);
@@ -50,7 +50,7 @@ namespace conetact::contact
     void
     find(const bool far);
 
-    Bodies             &bodies;
+    model::Bodies      &bodies;
     const NodeRules    &rules;
     const RigidMotions &motions;
     std::vector<bool>   turns; ///< of each body with a frame

@@ -24,24 +24,24 @@ namespace conetact::contact
   class ContactModel
   {
   private:
-    Bodies own_bodies; ///< with their frames, and cuts that are locked
+    model::Bodies own_bodies; ///< with their frames, and cuts that are locked
 
   public:
     /** `times` are those of the increments. Throws InputError. */
     ContactModel(
-      const Bodies               &bodies,
+      const model::Bodies        &bodies,
       const std::vector<double>  &times,
       const condensed::Condenser &condenser = condensed::default_condenser(),
       const iterative::Preconditioner preconditioner =
         iterative::Preconditioner::aggregation);
 
-    const Bodies       &bodies;
-    const NodeRules     rules;       ///< what supports and hanging nodes leave
-    ContactPoints       points;      ///< contacts as rows over the nodes
-    const Coordinates   coordinates; ///< of the bodies without contacts
-    const ElasticSystem elastic;
-    RigidMotions        motions;
-    BodyFrames          frames;
+    const model::Bodies &bodies;
+    const NodeRules      rules;       ///< what supports and hanging nodes leave
+    ContactPoints        points;      ///< contacts as rows over the nodes
+    const Coordinates    coordinates; ///< of the bodies without contacts
+    const ElasticSystem  elastic;
+    RigidMotions         motions;
+    BodyFrames           frames;
     /** Of large systems. */
     const iterative::Preconditioner preconditioner;
 
@@ -135,7 +135,7 @@ namespace conetact::contact
     lock_cuts(const double t, const Eigen::VectorXd &u, ElasticState &state);
     /** How open cuts are in displacements u of all dofs [length]. */
     double
-    opening(const Cut &cut, const Eigen::VectorXd &u) const;
+    opening(const model::Cut &cut, const Eigen::VectorXd &u) const;
     /** On all dofs: forces by which locks of cuts keep reactions in balance. */
     Eigen::VectorXd
     lock_forces(const Eigen::VectorXd &all_reactions) const;

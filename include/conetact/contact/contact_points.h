@@ -86,7 +86,7 @@ namespace conetact::contact
      * tangent plane: it has an unknown there only if it slides that way at one
      * of `times`, against friction that the support takes.
      */
-    ContactPoints(const Bodies              &bodies,
+    ContactPoints(const model::Bodies       &bodies,
                   const NodeRules           &supports,
                   const std::vector<double> &times);
 
@@ -231,7 +231,7 @@ namespace conetact::contact
     void
     number();
 
-    const Bodies                     &bodies;
+    const model::Bodies              &bodies;
     const NodeRules                  &supports;
     std::vector<pairing::ContactNode> found_again;
     std::vector<ContactPoint>         points;

@@ -7,7 +7,7 @@
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/shared_vector.h"
-#include "conetact/output/output.h"
+#include "conetact/model/increment_record.h"
 
 #include <vector>
 
@@ -45,7 +45,7 @@ namespace conetact::contact
      * bound, whose rows stand behind those of candidates; `u`: all dofs; `t`:
      * time.
      */
-    std::vector<output::ContactRow>
+    std::vector<model::ContactRow>
     rows(const solvers::ContactState &state,
          const Eigen::VectorXd       &q,
          const Eigen::VectorXd       &r_bound,
@@ -71,34 +71,34 @@ namespace conetact::contact
             const double        t);
 
     /** Before the first increment: gaps, and nothing else. */
-    std::vector<output::ContactRow>
+    std::vector<model::ContactRow>
     undeformed() const;
 
   private:
     void
-    place(const pairing::ContactNode &node, output::ContactRow &row) const;
+    place(const pairing::ContactNode &node, model::ContactRow &row) const;
     void
     set_candidate(const std::size_t            i,
                   const solvers::ContactState &state,
                   const Eigen::VectorXd       &q,
                   const Tensor<1, 3>          &other,
-                  output::ContactRow          &row) const;
+                  model::ContactRow           &row) const;
     void
-    set_kept(const std::size_t   i,
-             const KeptByLaws   &kept,
-             output::ContactRow &row) const;
+    set_kept(const std::size_t  i,
+             const KeptByLaws  &kept,
+             model::ContactRow &row) const;
     static void
     set_bound(const ContactPoint &point,
               const Tensor<1, 3> &other,
-              output::ContactRow &row);
+              model::ContactRow  &row);
     void
-    append_masters(std::vector<output::ContactRow> &rows) const;
+    append_masters(std::vector<model::ContactRow> &rows) const;
 
-    const ContactModel             &model;
-    std::vector<unsigned int>       master_side;  ///< of each contact
-    std::vector<output::ContactRow> last;         ///< of the increment before
-    std::vector<Tensor<1, 3>>       other_before; ///< its displacements along
-                                                  ///< directions without a cone
+    const ContactModel            &model;
+    std::vector<unsigned int>      master_side;  ///< of each contact
+    std::vector<model::ContactRow> last;         ///< of the increment before
+    std::vector<Tensor<1, 3>>      other_before; ///< its displacements along
+                                                 ///< directions without a cone
     SharedVector last_u; ///< of all dofs then; none: the start
     double       last_t = 0;
   };

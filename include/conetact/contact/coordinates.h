@@ -40,7 +40,7 @@ namespace conetact::contact
   {
   public:
     /** All arguments must outlive the object. */
-    Coordinates(const Bodies        &bodies,
+    Coordinates(const model::Bodies &bodies,
                 const NodeRules     &rules,
                 const ContactPoints *points = nullptr,
                 const double         arm    = 1);

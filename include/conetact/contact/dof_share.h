@@ -29,7 +29,7 @@ namespace conetact::contact
     using Array = Eigen::VectorXd;
 
     /** Of the team as it is; `plain` must outlive the object. */
-    DofShare(const Bodies &bodies, const Coordinates &plain);
+    DofShare(const model::Bodies &bodies, const Coordinates &plain);
 
     /** Whether others look after other dofs. */
     bool
@@ -119,11 +119,11 @@ namespace conetact::contact
     columns(const Array &own) const;
 
   private:
-    const Bodies      &bodies;
-    const Coordinates &coordinates;
-    Communicator       processes; ///< with other dofs
-    unsigned int       first_node, last_node;
-    Index              first, last;
+    const model::Bodies &bodies;
+    const Coordinates   &coordinates;
+    Communicator         processes; ///< with other dofs
+    unsigned int         first_node, last_node;
+    Index                first, last;
   };
 } // namespace conetact::contact
 

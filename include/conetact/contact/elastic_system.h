@@ -33,9 +33,9 @@ namespace conetact::contact
   class ElasticSystem
   {
   public:
-    explicit ElasticSystem(const Bodies &bodies);
+    explicit ElasticSystem(const model::Bodies &bodies);
 
-    const Bodies &bodies;
+    const model::Bodies &bodies;
 
     /** Elements of all bodies and springs, dofs counted over all bodies; those
      * alone that have some of these nodes. */
@@ -129,7 +129,7 @@ namespace conetact::contact
 
   /** The nodes that unknowns move of which `some` are meant. */
   SomeNodesOfBodies
-  nodes_of(const Bodies            &bodies,
+  nodes_of(const model::Bodies     &bodies,
            const LinearMap         &coordinates,
            const std::vector<bool> &some);
 

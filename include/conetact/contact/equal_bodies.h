@@ -13,7 +13,7 @@ namespace conetact::contact
 {
   /** Whether two bodies have as many nodes: others cannot be equal. */
   bool
-  may_have_equals(const Bodies &bodies);
+  may_have_equals(const model::Bodies &bodies);
 
   /**
    * Groups of two bodies or more that are equal, as copies that are moved:

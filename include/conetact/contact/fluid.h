@@ -16,7 +16,7 @@ namespace conetact::contact
   {
   public:
     /** `bodies` and `points` are read now only. */
-    Fluid(const Bodies &bodies, const ContactPoints &points);
+    Fluid(const model::Bodies &bodies, const ContactPoints &points);
 
     bool
     is_none() const

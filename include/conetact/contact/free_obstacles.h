@@ -22,16 +22,17 @@ namespace conetact::contact
    * contact nodes come to see rigid bodies as masters.
    */
   std::vector<std::unique_ptr<bodies::Structure>>
-  add_free_obstacles(std::vector<pairing::Obstacle> &obstacles, Bodies &bodies);
+  add_free_obstacles(std::vector<pairing::Obstacle> &obstacles,
+                     model::Bodies                  &bodies);
 
   /** Of each body the first dof, behind them the number of all. */
   std::vector<Eigen::Index>
-  first_dofs(const Bodies &bodies);
+  first_dofs(const model::Bodies &bodies);
 
   /** Their forces and moments at time t, on all dofs of all bodies. */
   Eigen::VectorXd
   forces_on_free_obstacles(const std::vector<pairing::Obstacle> &obstacles,
-                           const Bodies                         &bodies,
+                           const model::Bodies                  &bodies,
                            const double                          t);
 } // namespace conetact::contact
 

@@ -19,14 +19,14 @@ namespace conetact::contact
    * meets them with a mean over both.
    */
   void
-  give_up_held_nodes(Bodies &bodies);
+  give_up_held_nodes(model::Bodies &bodies);
 
   /**
    * Why contacts that slide far cannot because supports hold their nodes, a
    * sentence without its full stop for each contact by number; others can.
    */
   std::map<unsigned int, std::string>
-  why_held_nodes_do_not_slide(const Bodies &bodies);
+  why_held_nodes_do_not_slide(const model::Bodies &bodies);
 } // namespace conetact::contact
 
 #endif

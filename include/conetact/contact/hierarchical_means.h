@@ -27,7 +27,7 @@ namespace conetact::contact
     using Weights = std::vector<std::pair<unsigned int, double>>;
     using Key     = std::pair<unsigned int, unsigned int>; ///< body, node
 
-    HierarchicalMeans(const Bodies        &bodies,
+    HierarchicalMeans(const model::Bodies &bodies,
                       const NodeRules     &rules,
                       const ContactPoints &points);
 

@@ -13,7 +13,7 @@ namespace conetact::contact
   /** Why IterativeElasticity cannot solve a scene, as the end of a sentence;
    * empty: it can. */
   std::string
-  why_not_iterative(const Bodies        &bodies,
+  why_not_iterative(const model::Bodies &bodies,
                     const NodeRules     &supports,
                     const ContactPoints &points);
 } // namespace conetact::contact

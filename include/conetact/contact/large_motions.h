@@ -16,7 +16,7 @@ namespace conetact::contact
   /** Rigid motions of all bodies together, in the unknowns. They open no tie.
    */
   Eigen::MatrixXd
-  common_motions(const Bodies &bodies, const Coordinates &coordinates);
+  common_motions(const model::Bodies &bodies, const Coordinates &coordinates);
 
   /** Displacements of all dofs by the motions that nothing resists,
    * orthonormal. */

@@ -57,14 +57,14 @@ namespace conetact::contact
   /** What contacts without axes of their own (ContactAxes) see of the unknowns;
    * none: no such contact. */
   std::optional<iterative::FurtherContacts>
-  further_contacts(const Bodies        &bodies,
+  further_contacts(const model::Bodies &bodies,
                    const Coordinates   &coordinates,
                    const ContactPoints &points);
 
   /** Displacements of all dofs as these contacts see them, and their reactions
    * on all dofs. */
   Eigen::SparseMatrix<double, Eigen::RowMajor>
-  rows_of_further(const Bodies        &bodies,
+  rows_of_further(const model::Bodies &bodies,
                   const Coordinates   &coordinates,
                   const ContactPoints &points);
 
@@ -75,7 +75,7 @@ namespace conetact::contact
    * the opening stays alone.
    */
   std::map<unsigned int, int>
-  sides_of_ties(const Bodies &bodies, const Coordinates &coordinates);
+  sides_of_ties(const model::Bodies &bodies, const Coordinates &coordinates);
 } // namespace conetact::contact
 
 #endif

@@ -23,7 +23,7 @@ namespace conetact::contact
   {
   public:
     /** The bodies must outlive the object. */
-    explicit NodalVectors(const Bodies &bodies);
+    explicit NodalVectors(const model::Bodies &bodies);
 
     Eigen::Index
     n_dofs() const
@@ -85,7 +85,7 @@ namespace conetact::contact
     void
     gather_rigid(const unsigned int body, Eigen::VectorXd &f) const;
 
-    const Bodies &bodies;
+    const model::Bodies &bodies;
 
   private:
     using NodeMap = std::function<Tensor<1, 3>(const unsigned int body,

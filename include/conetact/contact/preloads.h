@@ -29,12 +29,13 @@ namespace conetact::contact
    * Throws InputError.
    */
   std::vector<std::unique_ptr<bodies::Structure>>
-  add_preloads(const std::vector<pairing::Contact> &contacts, Bodies &bodies);
+  add_preloads(const std::vector<pairing::Contact> &contacts,
+               model::Bodies                       &bodies);
 
   /** Adds their tensions at time t, on all dofs of all bodies [force]. */
   void
   add_preload_forces(const std::vector<pairing::Contact> &contacts,
-                     const Bodies                        &bodies,
+                     const model::Bodies                 &bodies,
                      const double                         t,
                      Eigen::VectorXd                     &f);
 } // namespace conetact::contact

@@ -50,7 +50,7 @@ namespace conetact::contact
 
   /** Of all that is bound, over what supports leave free. */
   RedundantRows
-  find_redundant_rows(const Bodies        &bodies,
+  find_redundant_rows(const model::Bodies &bodies,
                       const ContactPoints &points,
                       const Coordinates   &coordinates,
                       const RigidMotions  &motions);

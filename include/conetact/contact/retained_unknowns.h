@@ -17,7 +17,7 @@ namespace conetact::contact
   /** Which own unknowns bodies keep where contacts are rows H over them. */
   struct RetainedUnknowns
   {
-    const Bodies                      &bodies;
+    const model::Bodies               &bodies;
     const Coordinates                 &coordinates; ///< without contacts
     const RigidMotions                &motions;
     const BodyCoordinates             &own;

@@ -22,7 +22,7 @@ namespace conetact::contact
   {
   public:
     /** What is given must outlive the object. */
-    explicit RigidModes(const Bodies &bodies);
+    explicit RigidModes(const model::Bodies &bodies);
 
     /** Amounts of all modes of all bodies, 3 a body in 2D, 6 in 3D. */
     using Amounts = Eigen::VectorXd;
@@ -105,7 +105,7 @@ namespace conetact::contact
     bool
     strains(const unsigned int body, const unsigned int k) const;
 
-    const Bodies             &bodies;
+    const model::Bodies      &bodies;
     Eigen::Index              n_one;  ///< modes of a body
     std::vector<Motion>       frames; ///< of each body, without motion
     std::vector<Eigen::Index> offset; ///< first dof of each body

@@ -33,7 +33,7 @@ namespace conetact::contact
      * Throws InputError where a body that no contact can reach is not held.
      * What is given must outlive the object.
      */
-    RigidMotions(const Bodies        &bodies,
+    RigidMotions(const model::Bodies &bodies,
                  const NodeRules     &rules,
                  const ContactPoints &points);
 

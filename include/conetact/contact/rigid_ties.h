@@ -19,7 +19,7 @@ namespace conetact::contact
     RigidTies() = default;
     /** Of points that are tied, as they were at the start: those that are found
      * again are replaced. */
-    RigidTies(const Bodies        &bodies,
+    RigidTies(const model::Bodies &bodies,
               const RigidModes    &modes,
               const ContactPoints &points);
 

@@ -16,7 +16,7 @@ namespace conetact::output
    */
   std::vector<std::string>
   closing_lines(const RunDescription         &run,
-                const IncrementRecord        &last,
+                const model::IncrementRecord &last,
                 const std::set<unsigned int> &faceted = {});
 
   /** The tables and collections in the folder of a run, in a line. */

@@ -44,25 +44,25 @@ namespace conetact::output
 
   /** That of all forces of an increment: nodal reactions and resultants. */
   NoiseFloor
-  noise_of_forces(const IncrementRecord &record);
+  noise_of_forces(const model::IncrementRecord &record);
   /**
    * That of all moments. The noise of a moment is that of a nodal force times
    * its lever, also where all moments cancel.
    */
   NoiseFloor
-  noise_of_moments(const IncrementRecord &record);
+  noise_of_moments(const model::IncrementRecord &record);
 
   /** Calls back for contacts, supports, loads, each support, each load. */
   template <typename Function>
   void
-  for_each_resultant(const IncrementRecord &record, const Function &f)
+  for_each_resultant(const model::IncrementRecord &record, const Function &f)
   {
-    for (const Resultant &contact : record.contacts)
+    for (const model::Resultant &contact : record.contacts)
       f(contact);
     f(record.supports);
     f(record.loads);
     for (const auto *list : {&record.each_support, &record.each_load})
-      for (const Resultant &resultant : *list)
+      for (const model::Resultant &resultant : *list)
         f(resultant);
   }
 

@@ -15,7 +15,7 @@ namespace conetact::output
    * that move alike, but for rounding, the first one: a symmetric scene has the
    * same place on every machine.
    */
-  LargestDisplacement
+  model::LargestDisplacement
   largest_displacement(
     const std::vector<const bodies::Structure *> &bodies,
     const std::size_t                             n_bodies,
@@ -30,7 +30,7 @@ namespace conetact::output
   };
   /** The first of nodes that are pressed alike; ties that pull do not count. */
   LargestPressure
-  largest_pressure(const IncrementRecord &record);
+  largest_pressure(const model::IncrementRecord &record);
 } // namespace conetact::output
 
 #endif

@@ -55,9 +55,9 @@ namespace conetact::output
     /** Removes files of these names that an earlier run left. */
     explicit Graphics(const RunDescription &description);
     void
-    begin(const IncrementRecord &undeformed) override;
+    begin(const model::IncrementRecord &undeformed) override;
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
     OutputWork
     work() const override;
     bool
@@ -68,24 +68,24 @@ namespace conetact::output
 
   private:
     void
-    draw(const IncrementRecord &record);
+    draw(const model::IncrementRecord &record);
     /** By all processes: what is theirs of the bodies. */
     void
-    write_bodies(const IncrementRecord &record);
+    write_bodies(const model::IncrementRecord &record);
     void
-    write_body(const IncrementRecord &record, const unsigned int body);
+    write_body(const model::IncrementRecord &record, const unsigned int body);
     /** By the first one: the rest, and what joins all. */
     void
-    write_rest(const IncrementRecord &record);
+    write_rest(const model::IncrementRecord &record);
     std::string
-    stem(const IncrementRecord &record, const std::size_t body) const;
+    stem(const model::IncrementRecord &record, const std::size_t body) const;
     /** With the units that the scene names. */
     std::string
-    text_of(VtuGrid grid, const IncrementRecord &record) const;
+    text_of(VtuGrid grid, const model::IncrementRecord &record) const;
     std::vector<Block>
-    write_surfaces(const IncrementRecord &record) const;
+    write_surfaces(const model::IncrementRecord &record) const;
     std::vector<Block>
-    write_contacts(const IncrementRecord &record) const;
+    write_contacts(const model::IncrementRecord &record) const;
 
     const RunDescription           run;
     const std::vector<std::string> names;  ///< of bodies, in those of files

@@ -22,13 +22,13 @@ namespace conetact::output
   public:
     explicit HistoryTable(const RunDescription &description);
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
     OutputWork
     work() const override;
 
   private:
     void
-    append(const IncrementRecord &record, std::string &text) const;
+    append(const model::IncrementRecord &record, std::string &text) const;
 
     const RunDescription run;
     std::uint64_t        n_bytes = 0; ///< written so far

@@ -28,17 +28,17 @@ namespace conetact::output
     header() const;
     /** Throws AnalysisError at a number that is not finite. */
     std::string
-    row(const IncrementRecord &record) const;
+    row(const model::IncrementRecord &record) const;
 
   private:
     class Columns;
     /** All columns, in their order: a name and what the record has for it. */
     void
-    fill(const IncrementRecord &record, Columns &columns) const;
+    fill(const model::IncrementRecord &record, Columns &columns) const;
     void
-    fill_external(const IncrementRecord &record, Columns &columns) const;
+    fill_external(const model::IncrementRecord &record, Columns &columns) const;
     void
-    fill_further(const IncrementRecord &record, Columns &columns) const;
+    fill_further(const model::IncrementRecord &record, Columns &columns) const;
 
     const RunDescription run;
   };

@@ -25,11 +25,11 @@ namespace conetact::output
     /** Removes files of this name that an earlier run left. */
     explicit ProblemFiles(const RunDescription &description);
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
 
   private:
     void
-    write_problem(const IncrementRecord &record);
+    write_problem(const model::IncrementRecord &record);
 
     const std::filesystem::path  folder;
     const std::set<unsigned int> increments;

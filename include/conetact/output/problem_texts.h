@@ -20,7 +20,7 @@ namespace conetact::output
     /** Removes files of this name that an earlier run left. */
     explicit ProblemTexts(const RunDescription &description);
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
 
   private:
     const std::filesystem::path  folder;

@@ -20,7 +20,7 @@ namespace conetact::output
   public:
     Progress(const RunDescription &run, const bool quiet);
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
 
   private:
     const unsigned int                          n_increments;
@@ -36,10 +36,10 @@ namespace conetact::output
    * the time, which ends at `end`.
    */
   std::string
-  progress_line(const IncrementRecord &record,
-                const unsigned int     n_increments,
-                const double           end,
-                const double           elapsed);
+  progress_line(const model::IncrementRecord &record,
+                const unsigned int            n_increments,
+                const double                  end,
+                const double                  elapsed);
 } // namespace conetact::output
 
 #endif

@@ -28,14 +28,14 @@ namespace conetact::output
     header() const;
     /** Throws AnalysisError at a number that is not finite. */
     std::string
-    rows(const IncrementRecord &record) const;
+    rows(const model::IncrementRecord &record) const;
 
   private:
     void
-    append(std::string           &text,
-           const IncrementRecord &record,
-           const ContactRow      &row,
-           const NoiseFloor      &forces) const;
+    append(std::string                  &text,
+           const model::IncrementRecord &record,
+           const model::ContactRow      &row,
+           const NoiseFloor             &forces) const;
 
     const RunDescription run;
   };

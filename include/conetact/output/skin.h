@@ -21,10 +21,10 @@ namespace conetact::output
 
   /** Displacement of a node of a drawn body; 0 where it is not known. */
   Tensor<1, 3>
-  displacement_of(const RunDescription  &run,
-                  const IncrementRecord &record,
-                  const unsigned int     body,
-                  const unsigned int     node);
+  displacement_of(const RunDescription         &run,
+                  const model::IncrementRecord &record,
+                  const unsigned int            body,
+                  const unsigned int            node);
 
   /**
    * A skin with the fields of its points: `displacement` [length],
@@ -35,20 +35,20 @@ namespace conetact::output
    * state and slip, and the least gap.
    */
   VtuGrid
-  draw_skin(const Skin            &skin,
-            const RunDescription  &run,
-            const IncrementRecord &record,
-            const unsigned int     body);
+  draw_skin(const Skin                   &skin,
+            const RunDescription         &run,
+            const model::IncrementRecord &record,
+            const unsigned int            body);
 
   /**
    * Gives the same fields, where there are contacts, to the points of a drawn
    * body. They are no numbers where nothing may touch, `state` is -1 there.
    */
   void
-  add_contact(const RunDescription  &run,
-              const IncrementRecord &record,
-              const unsigned int     body,
-              VtuGrid               &grid);
+  add_contact(const RunDescription         &run,
+              const model::IncrementRecord &record,
+              const unsigned int            body,
+              VtuGrid                      &grid);
 
   /**
    * Contact nodes at their undeformed places, with the vectors `reaction`
@@ -59,7 +59,8 @@ namespace conetact::output
    * contacts) and `pressure`.
    */
   VtuGrid
-  draw_contact_nodes(const RunDescription &run, const IncrementRecord &record);
+  draw_contact_nodes(const RunDescription         &run,
+                     const model::IncrementRecord &record);
 } // namespace conetact::output
 
 #endif

@@ -26,7 +26,7 @@ namespace conetact::output
     explicit Tables(const RunDescription &run);
     /** Throws AnalysisError at a number that is not finite. */
     void
-    write(const std::vector<IncrementRecord> &finished) override;
+    write(const std::vector<model::IncrementRecord> &finished) override;
     OutputWork
     work() const override;
 

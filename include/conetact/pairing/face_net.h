@@ -8,6 +8,7 @@
 #include "conetact/pairing/closest_point.h"
 #include "conetact/pairing/face_tree.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace conetact::pairing
@@ -128,6 +129,13 @@ namespace conetact::pairing
      * it may be, by how much of its view the surface fills. */
     bool
     encloses(const Point<3> &p) const;
+    /** How far inside p is, over the size of the nearest face; 0 outside, also
+     * far away, where the nearest faces alone may mislead. */
+    double
+    depth(const Point<3> &p) const
+    {
+      return encloses(p) ? std::max(0., -signed_distance(p)) : 0.;
+    }
 
   private:
     void

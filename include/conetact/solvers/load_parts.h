@@ -34,6 +34,11 @@ namespace conetact::solvers
     Method otherwise = {};
   };
 
+  /** Parts of an increment that begins with `state`, without a method. The
+   * problem must outlive them. */
+  LoadParts
+  parts_from(const ContactState &state, const ContactProblem &problem);
+
   /**
    * Solves an increment in parts, which grow where they are solved and shrink
    * where not. The state is that at its start, v = (0, gap), and becomes that

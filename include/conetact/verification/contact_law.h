@@ -34,7 +34,7 @@ namespace conetact::verification
   {
   public:
     /** What is given must outlive the object. */
-    ContactLaw(const contact::Bodies        &bodies,
+    ContactLaw(const model::Bodies          &bodies,
                const contact::ElasticSystem &elastic,
                const contact::ContactPoints &points,
                const double                  tolerance);
@@ -68,7 +68,7 @@ namespace conetact::verification
     void
     check_bound_forces(const Claim &claim, Finding &out) const;
 
-    const contact::Bodies        &bodies;
+    const model::Bodies          &bodies;
     const contact::ElasticSystem &elastic;
     const contact::ContactPoints &points;
     double                        tolerance;

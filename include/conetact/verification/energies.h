@@ -5,7 +5,7 @@
 #define conetact_verification_energies_h
 
 #include "conetact/base/archive.h"
-#include "conetact/output/output.h"
+#include "conetact/model/increment_record.h"
 #include "conetact/verification/verification.h"
 
 #include <vector>
@@ -32,7 +32,7 @@ namespace conetact::verification
         const double                  t,
         const contact::SharedVector  &u,
         const Finding                &finding,
-        output::IncrementRecord      &record);
+        model::IncrementRecord       &record);
 
     /** All processes get what each has: before it is saved, and before the
      * team becomes another one. */

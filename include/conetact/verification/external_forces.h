@@ -7,7 +7,7 @@
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/dof_share.h"
 #include "conetact/contact/elastic_system.h"
-#include "conetact/output/output.h"
+#include "conetact/model/increment_record.h"
 
 #include <vector>
 
@@ -16,12 +16,12 @@ namespace conetact::verification
   /** Forces on one body that should balance, with their magnitudes. */
   struct Balance
   {
-    output::Resultant sum;         ///< moment about the body's centre
-    double            forces  = 0; ///< sum of magnitudes [force]
-    double            moments = 0; ///< sum of |arm x force| and |moment|
-    double            arms    = 0; ///< sum of |arm| |force| [force x length]
-    double            largest = 0; ///< force on a node [force]
-    double            largest_moment = 0; ///< on a node that rotates
+    model::Resultant sum;         ///< moment about the body's centre
+    double           forces  = 0; ///< sum of magnitudes [force]
+    double           moments = 0; ///< sum of |arm x force| and |moment|
+    double           arms    = 0; ///< sum of |arm| |force| [force x length]
+    double           largest = 0; ///< force on a node [force]
+    double           largest_moment = 0; ///< on a node that rotates
 
     /** What moments are compared with. */
     double
@@ -36,19 +36,19 @@ namespace conetact::verification
   struct ExternalForces
   {
     std::vector<Balance> bodies;
-    std::vector<output::Resultant>
+    std::vector<model::Resultant>
       contacts; ///< reactions on the bodies, by contact
-    std::vector<output::Resultant> masters; ///< the same on their master bodies
-    std::vector<output::Resultant>
-                      supports; ///< of each support, with foundations
-    output::Resultant loads;
-    Eigen::VectorXd   held; ///< forces of rigid supports, dofs of this process
+    std::vector<model::Resultant> masters; ///< the same on their master bodies
+    std::vector<model::Resultant>
+                     supports; ///< of each support, with foundations
+    model::Resultant loads;
+    Eigen::VectorXd  held; ///< forces of rigid supports, dofs of this process
   };
 
   /** What acts on the bodies, and the dofs that this process looks after. */
   struct ActedOn
   {
-    const contact::Bodies        &bodies;
+    const model::Bodies          &bodies;
     const contact::Coordinates   &plain;
     const contact::ContactPoints &points;
     const contact::DofShare      &share;
@@ -68,8 +68,8 @@ namespace conetact::verification
                   const Eigen::VectorXd                  &r);
 
   /** Of forces on all dofs, in space, about the origin. */
-  output::Resultant
-  resultant(const contact::Bodies      &bodies,
+  model::Resultant
+  resultant(const model::Bodies        &bodies,
             const contact::Coordinates &plain,
             const Eigen::VectorXd      &forces);
 } // namespace conetact::verification

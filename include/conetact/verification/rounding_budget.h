@@ -23,7 +23,7 @@ namespace conetact::verification
   {
   public:
     /** What is given must outlive the object. */
-    RoundingBudget(const contact::Bodies        &bodies,
+    RoundingBudget(const model::Bodies          &bodies,
                    const contact::ElasticSystem &elastic,
                    const contact::Coordinates   &plain,
                    const contact::ContactPoints &points,
@@ -69,7 +69,7 @@ namespace conetact::verification
             const Eigen::VectorXd &carried,
             Eigen::VectorXd       &rounding) const;
 
-    const contact::Bodies        &bodies;
+    const model::Bodies          &bodies;
     const contact::ElasticSystem &elastic;
     const contact::Coordinates   &plain;
     const contact::ContactPoints &points;

@@ -41,7 +41,7 @@ namespace conetact::verification
   {
   public:
     /** What is given must outlive the object. */
-    Verification(const contact::Bodies        &bodies,
+    Verification(const model::Bodies          &bodies,
                  const contact::ElasticSystem &elastic,
                  const contact::Coordinates   &plain,
                  const contact::RigidMotions  &motions,
@@ -130,7 +130,7 @@ namespace conetact::verification
     void
     remember_contacts();
 
-    const contact::Bodies        &bodies;
+    const model::Bodies          &bodies;
     const contact::ElasticSystem &elastic;
     const contact::Coordinates   &plain;
     const contact::RigidMotions  &motions;

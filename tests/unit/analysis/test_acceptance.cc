@@ -122,11 +122,11 @@ TEST(Acceptance, RecordsOfWhatIsAccepted)
     {
       PendingIncrement one = increments.next();
       EXPECT_EQ(increments.complete(one, k == 2), "");
-      const output::IncrementRecord &record = one.record;
+      const model::IncrementRecord &record = one.record;
       EXPECT_EQ(record.rows.size(), 2u);
       Tensor<1, 3> sum     = record.supports.force + record.loads.force;
       Tensor<1, 3> turning = record.supports.moment + record.loads.moment;
-      for (const output::Resultant &contact : record.contacts)
+      for (const model::Resultant &contact : record.contacts)
         {
           sum += contact.force;
           turning += contact.moment;

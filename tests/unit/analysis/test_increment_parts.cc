@@ -9,10 +9,10 @@ using conetact::analysis::IncrementParts;
 
 namespace
 {
-  conetact::output::IncrementRecord
+  conetact::model::IncrementRecord
   record(const double work, const double slip)
   {
-    conetact::output::IncrementRecord record;
+    conetact::model::IncrementRecord record;
     record.external_work     = work;
     record.report.iterations = 3;
     record.report.substeps   = 1;

@@ -138,7 +138,7 @@ TEST_F(Report, CostIsAnEstimateAndNothingIsFactorised)
 
 TEST_F(Report, SharedBodiesAreCountedAmongThoseThatMove)
 {
-  Bodies bodies;
+  model::Bodies bodies;
   bodies.names = {"a", "b", "c", "d"};
   EXPECT_EQ(lines([&](Log &log) { report_shared_bodies(bodies, 0, log); }), "");
   bodies.at_rest = {false, true, false, false};

@@ -7,7 +7,7 @@
 
 using namespace conetact;
 using namespace conetact::contact;
-using output::ContactRow;
+using model::ContactRow;
 using solvers::NodeState;
 
 namespace

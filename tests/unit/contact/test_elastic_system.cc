@@ -31,8 +31,8 @@ namespace
 
 TEST(ElasticSystem, ForcesKeepTheirDigitsInABodyThatMovesFar)
 {
-  const auto body = test::make_body(2, cells_2d);
-  Bodies     bodies;
+  const auto    body = test::make_body(2, cells_2d);
+  model::Bodies bodies;
   bodies.dim        = 2;
   bodies.structures = {body.get()};
   bodies.names      = {"block"};
@@ -58,8 +58,8 @@ TEST(ElasticSystem, ForcesKeepTheirDigitsInABodyThatMovesFar)
 
 TEST(ElasticSystem, TermsOfABodyThatMovesWithoutStrain)
 {
-  const auto body = test::make_body(2, cells_2d);
-  Bodies     bodies;
+  const auto    body = test::make_body(2, cells_2d);
+  model::Bodies bodies;
   bodies.dim        = 2;
   bodies.structures = {body.get()};
   bodies.names      = {"block"};
@@ -76,8 +76,8 @@ TEST(ElasticSystem, TermsOfABodyThatMovesWithoutStrain)
 TEST(ElasticSystem, ElementsOfSomeNodesAreAllThatThereIsOfThem)
 {
   // one body of its own, one whose rows of cells are parted
-  const auto block = test::make_body(2, cells_2d);
-  Bodies     bodies;
+  const auto    block = test::make_body(2, cells_2d);
+  model::Bodies bodies;
   bodies.dim        = 2;
   bodies.structures = {block.get(), block.get()};
   bodies.names      = {"left", "right"};

@@ -39,8 +39,8 @@ namespace
 
 TEST(FreeObstacles, AreRigidBodiesBehindTheOthers)
 {
-  const auto    scene  = pressed_from_below();
-  const Bodies &bodies = scene->bodies;
+  const auto           scene  = pressed_from_below();
+  const model::Bodies &bodies = scene->bodies;
   ASSERT_EQ(bodies.structures.size(), 2u);
   EXPECT_EQ(bodies.n_elastic(), 1u);
   EXPECT_TRUE(bodies.is_rigid(1));

@@ -56,15 +56,15 @@ namespace
 
 TEST(Preloads, AreRigidBodiesBehindTheOthers)
 {
-  const auto    scene  = bolt(true);
-  const Bodies &bodies = scene->bodies;
+  const auto           scene  = bolt(true);
+  const model::Bodies &bodies = scene->bodies;
   ASSERT_EQ(bodies.structures.size(), 3u);
   EXPECT_EQ(bodies.n_elastic(), 2u);
   EXPECT_EQ(bodies.n_free_obstacles(), 0u);
   EXPECT_EQ(bodies.called(1), "body 'upper'");
   EXPECT_EQ(bodies.called(2), "'preload cut'");
   ASSERT_EQ(bodies.cuts.size(), 1u);
-  const Cut &cut = bodies.cuts[0];
+  const model::Cut &cut = bodies.cuts[0];
   expect_near(cut.axis, vector(0, 1)); // from the master to the body
   EXPECT_FALSE(cut.is_due(.5));
   EXPECT_TRUE(cut.is_due(1));

@@ -325,12 +325,12 @@ namespace
       : file(run.folder / "slipping.txt")
     {}
     void
-    write(const std::vector<IncrementRecord> &finished) override
+    write(const std::vector<model::IncrementRecord> &finished) override
     {
-      for (const IncrementRecord &record : finished)
+      for (const model::IncrementRecord &record : finished)
         {
           unsigned int n = 0;
-          for (const ContactRow &row : record.rows)
+          for (const model::ContactRow &row : record.rows)
             n += row.state == NodeState::slip && !row.master;
           text +=
             std::to_string(record.increment) + " " + std::to_string(n) + "\n";
@@ -576,7 +576,7 @@ TEST(Extending, AnOutput)
 {
   RunDescription run;
   run.folder = std::filesystem::temp_directory_path();
-  IncrementRecord record;
+  model::IncrementRecord record;
   record.increment = 1;
   record.rows.resize(3);
   record.rows[1].state = NodeState::slip;

@@ -98,7 +98,7 @@ TEST(Csv, NamesOfColumns)
 // levers count: a moment is noise beside those of single forces
 TEST(Csv, NoiseOfForcesAndOfMoments)
 {
-  IncrementRecord record;
+  model::IncrementRecord record;
   record.rows.resize(1);
   record.rows[0].reaction = Tensor<1, 3>({3, 4, 0});
   record.rows[0].position = Point<3>(0, 0, 100);

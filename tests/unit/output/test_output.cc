@@ -132,10 +132,10 @@ namespace
       fs::remove_all(run.folder);
     }
 
-    IncrementRecord
+    model::IncrementRecord
     record(const unsigned int increment) const
     {
-      IncrementRecord r;
+      model::IncrementRecord r;
       r.increment       = increment;
       r.time            = .5 * increment;
       r.report.solver   = "smoothing";
@@ -147,7 +147,7 @@ namespace
       r.actions           = {Actions()};
       for (unsigned int i = 0; i < 2; ++i)
         {
-          ContactRow row;
+          model::ContactRow row;
           row.node     = i;
           row.position = Point<3>(.1 + i, 0, 0);
           row.normal   = Tensor<1, 3>({0., 1., 0.});
@@ -270,11 +270,11 @@ namespace
 
   TEST_F(OutputTest, SmallForcesAreWrittenZeroSmallDisplacementsNot)
   {
-    const auto      table = create("tables");
-    IncrementRecord r     = record(1);
-    r.rows[1].reaction[0] = 1e-14;
-    r.rows[1].reaction[1] = -1e-20;
-    r.rows[1].u[0]        = 1e-18;
+    const auto             table = create("tables");
+    model::IncrementRecord r     = record(1);
+    r.rows[1].reaction[0]        = 1e-14;
+    r.rows[1].reaction[1]        = -1e-20;
+    r.rows[1].u[0]               = 1e-18;
     table->write({r});
     const Rows rows = read_csv(run.folder / "reactions.csv");
     EXPECT_EQ(cell(rows, 2, "r_n"), "0");
@@ -284,9 +284,9 @@ namespace
 
   TEST_F(OutputTest, SmallIsWhatIsSmallInItsIncrement)
   {
-    const auto      table = create("tables");
-    IncrementRecord small = record(2);
-    for (ContactRow &row : small.rows)
+    const auto             table = create("tables");
+    model::IncrementRecord small = record(2);
+    for (model::ContactRow &row : small.rows)
       row.reaction *= 1e-16;
     small.contacts[0].force *= 1e-16;
     small.loads.force = Tensor<1, 3>();
@@ -299,9 +299,9 @@ namespace
 
   TEST_F(OutputTest, NoAreaNoPressure)
   {
-    const auto      table = create("tables");
-    IncrementRecord r     = record(1);
-    r.rows[0].area        = 0;
+    const auto             table = create("tables");
+    model::IncrementRecord r     = record(1);
+    r.rows[0].area               = 0;
     table->write({r});
     const Rows rows = read_csv(run.folder / "reactions.csv");
     EXPECT_EQ(cell(rows, 1, "pressure"), "0");
@@ -316,11 +316,11 @@ namespace
         {
           const auto table = create("tables");
           table->write({record(1)});
-          const fs::path  file   = run.folder / (std::string(name) + ".csv");
-          const auto      before = test::read_file(file);
-          IncrementRecord r      = record(2);
-          r.rows[0].u[1]         = bad;
-          r.balance              = bad;
+          const fs::path file      = run.folder / (std::string(name) + ".csv");
+          const auto     before    = test::read_file(file);
+          model::IncrementRecord r = record(2);
+          r.rows[0].u[1]           = bad;
+          r.balance                = bad;
           EXPECT_THROW(table->write({r}), AnalysisError);
           EXPECT_EQ(test::read_file(file), before);
         }
@@ -336,8 +336,8 @@ namespace
     table->write({record(1), record(2), record(3)});
     EXPECT_EQ(table->work().table_bytes, bytes_on_disk());
 
-    IncrementRecord bad = record(5);
-    bad.balance         = std::numeric_limits<double>::infinity();
+    model::IncrementRecord bad = record(5);
+    bad.balance                = std::numeric_limits<double>::infinity();
     EXPECT_THROW(table->write({record(4), bad}), AnalysisError);
     for (const char *name : {"reactions.csv", "increments.csv"})
       {
@@ -374,7 +374,7 @@ namespace
     run.loads        = {"top"};
     const auto table = create("tables");
     // one that is known, and one that is not
-    IncrementRecord r = record(1);
+    model::IncrementRecord r = record(1);
     r.each_support.resize(1);
     r.each_support[0].force[1]  = -7;
     r.each_support[0].moment[2] = 3;
@@ -403,10 +403,10 @@ namespace
 
   TEST_F(OutputTest, NamesThatReadAlikeHaveTheirOwnColumns)
   {
-    run.contacts           = {"left side", "left_side", "loads"};
-    const auto      table  = create("tables");
-    IncrementRecord r      = record(1);
-    r.contacts[1].force[1] = 4;
+    run.contacts                 = {"left side", "left_side", "loads"};
+    const auto             table = create("tables");
+    model::IncrementRecord r     = record(1);
+    r.contacts[1].force[1]       = 4;
     table->write({r});
     const Rows rows = read_csv(run.folder / "increments.csv");
     EXPECT_EQ(std::set<std::string>(rows[0].begin(), rows[0].end()).size(),
@@ -468,9 +468,9 @@ namespace
 
   TEST_F(OutputTest, StressesAreThoseOfTheDeformation)
   {
-    const auto      graphics = create("graphics");
-    IncrementRecord r        = record(1);
-    r.deformations           = {Eigen::VectorXd::Constant(4, 1e-3)};
+    const auto             graphics = create("graphics");
+    model::IncrementRecord r        = record(1);
+    r.deformations                  = {Eigen::VectorXd::Constant(4, 1e-3)};
     graphics->write({r});
     EXPECT_EQ(test::read_file(run.folder / "solution-my_block-0001.vtu"),
               drawn(.25, 1e-3, .5, 1));
@@ -544,10 +544,10 @@ namespace
 
   TEST_F(OutputTest, TheUndeformedBodiesAreIncrementZero)
   {
-    const auto      graphics   = create("graphics");
-    IncrementRecord undeformed = record(1);
-    undeformed.increment       = 0;
-    undeformed.time            = 0;
+    const auto             graphics   = create("graphics");
+    model::IncrementRecord undeformed = record(1);
+    undeformed.increment              = 0;
+    undeformed.time                   = 0;
     graphics->begin(undeformed);
     EXPECT_EQ(graphics->work().drawings, 0u);
     const std::string pvd = test::read_file(run.folder / "scene.pvd");
@@ -564,9 +564,9 @@ namespace
 
   TEST_F(OutputTest, SurfacesCarryTheirContact)
   {
-    body.has_surface  = true;
-    IncrementRecord r = record(1);
-    r.rows[0].gap     = .125;
+    body.has_surface         = true;
+    model::IncrementRecord r = record(1);
+    r.rows[0].gap            = .125;
     r.rows.resize(1);
     r.rows.push_back(r.rows[0]); // in a second contact, less pressed
     r.rows[1].reaction = Tensor<1, 3>({4., 0., 0.});
@@ -600,8 +600,8 @@ namespace
 
   TEST_F(OutputTest, SolidsCarryTheirContact)
   {
-    run.wearing       = {0};
-    IncrementRecord r = record(1);
+    run.wearing              = {0};
+    model::IncrementRecord r = record(1);
     r.rows.resize(1);
     r.rows[0].wear = .5;
     VtuGrid grid;
@@ -673,13 +673,13 @@ namespace
 
   TEST_F(OutputTest, HistoryColumns)
   {
-    run.probes              = {"tip"};
-    const auto      table   = create("history");
-    IncrementRecord r       = record(2);
-    r.largest_displacement  = {3., 0, Point<3>(1, 2, 0)};
-    r.probes                = {Tensor<1, 3>({.5, -.5, 0.})};
-    IncrementRecord nothing = record(3);
-    nothing.rows            = {};
+    run.probes                     = {"tip"};
+    const auto             table   = create("history");
+    model::IncrementRecord r       = record(2);
+    r.largest_displacement         = {3., 0, Point<3>(1, 2, 0)};
+    r.probes                       = {Tensor<1, 3>({.5, -.5, 0.})};
+    model::IncrementRecord nothing = record(3);
+    nothing.rows                   = {};
     table->write({r, nothing});
     const Rows rows = read_csv(run.folder / "history.csv");
     ASSERT_EQ(rows.size(), 3u);
@@ -719,7 +719,7 @@ namespace
     run.probes                           = {"tip"};
     run.supports                         = {"top"};
     run.loads                            = {"weight"};
-    IncrementRecord r                    = record(3);
+    model::IncrementRecord r             = record(3);
     r.largest_displacement               = {3., 0, Point<3>(1, 2, 0)};
     r.probes                             = {Tensor<1, 3>({.5, -.5, 0.})};
     const std::vector<std::string> lines = closing_lines(run, r);
@@ -796,7 +796,7 @@ namespace
 
   TEST_F(OutputTest, ProgressCountsAPairOnce)
   {
-    IncrementRecord r = record(1);
+    model::IncrementRecord r = record(1);
     r.rows.push_back(r.rows[1]);
     r.rows.back().master = true;
     EXPECT_NE(progress_line(r, 4, 4, 30).find("open 0, stick 1, slip 1"),

@@ -56,10 +56,10 @@ namespace
     return run;
   }
 
-  IncrementRecord
+  model::IncrementRecord
   record(const RunDescription &run)
   {
-    IncrementRecord result;
+    model::IncrementRecord result;
     result.increment = 7;
     result.contacts.resize(run.contacts.size());
     result.each_support.resize(run.supports.size());
@@ -88,9 +88,9 @@ TEST(OutputTable, KindsHaveNamesOfTheirOwn)
 
 TEST(IncrementTable, AsManyCellsAsColumnsWhateverIsKnown)
 {
-  const RunDescription run = description();
-  const IncrementTable table(run);
-  IncrementRecord      r = record(run);
+  const RunDescription   run = description();
+  const IncrementTable   table(run);
+  model::IncrementRecord r = record(run);
   table_of(table.header(), table.row(r));
   r.each_support.clear(); // not known of a load path
   r.each_load.resize(1);
@@ -107,9 +107,9 @@ TEST(IncrementTable, AsManyCellsAsColumnsWhateverIsKnown)
 
 TEST(IncrementTable, NodesAreCountedOnceByTheirStates)
 {
-  const RunDescription run = description();
-  const IncrementTable table(run);
-  IncrementRecord      r = record(run);
+  const RunDescription   run = description();
+  const IncrementTable   table(run);
+  model::IncrementRecord r = record(run);
   r.rows.resize(6);
   const NodeState states[] = {NodeState::slip,
                               NodeState::open,
@@ -131,11 +131,11 @@ TEST(IncrementTable, NodesAreCountedOnceByTheirStates)
 
 TEST(IncrementTable, ResultantsStandUnderTheirNames)
 {
-  const RunDescription run = description();
-  const IncrementTable table(run);
-  IncrementRecord      r    = record(run);
-  double               next = 1;
-  const auto           fill = [&next](Resultant &resultant) {
+  const RunDescription   run = description();
+  const IncrementTable   table(run);
+  model::IncrementRecord r    = record(run);
+  double                 next = 1;
+  const auto             fill = [&next](model::Resultant &resultant) {
     for (unsigned int d = 0; d < 3; ++d)
       {
         resultant.force[d]  = next++;
@@ -143,7 +143,7 @@ TEST(IncrementTable, ResultantsStandUnderTheirNames)
       }
   };
   for (auto *list : {&r.contacts, &r.each_support, &r.each_load})
-    for (Resultant &resultant : *list)
+    for (model::Resultant &resultant : *list)
       fill(resultant);
   auto found = table_of(table.header(), table.row(r));
   EXPECT_EQ(found["bottom_f_x"], "1");
@@ -175,25 +175,25 @@ TEST(IncrementTable, EachBodyHasItsBalance)
 // pressures are forces over the area
 TEST(ReactionTable, RowsOfNodes)
 {
-  const RunDescription run = description();
-  const ReactionTable  table(run);
-  IncrementRecord      r = record(run);
-  r.time                 = .5;
+  const RunDescription   run = description();
+  const ReactionTable    table(run);
+  model::IncrementRecord r = record(run);
+  r.time                   = .5;
   r.rows.resize(2);
   for (unsigned int i = 0; i < 2; ++i)
     {
-      ContactRow &row = r.rows[i];
-      row.contact     = 1 + i;
-      row.node        = 40 + i;
-      row.position    = Point<3>(1, 2, 3);
-      row.normal      = Tensor<1, 3>({0, .6, .8});
-      row.area        = .25;
-      row.reaction    = Tensor<1, 3>({8, 3, -4});
-      row.u           = Tensor<1, 3>({.1, .2, .3});
-      row.du          = Tensor<1, 3>({.01, .02, .03});
-      row.acts        = row.position;
-      row.state       = NodeState::slip;
-      row.master      = i == 1;
+      model::ContactRow &row = r.rows[i];
+      row.contact            = 1 + i;
+      row.node               = 40 + i;
+      row.position           = Point<3>(1, 2, 3);
+      row.normal             = Tensor<1, 3>({0, .6, .8});
+      row.area               = .25;
+      row.reaction           = Tensor<1, 3>({8, 3, -4});
+      row.u                  = Tensor<1, 3>({.1, .2, .3});
+      row.du                 = Tensor<1, 3>({.01, .02, .03});
+      row.acts               = row.position;
+      row.state              = NodeState::slip;
+      row.master             = i == 1;
     }
   const std::string rows  = table.rows(r);
   const std::size_t end   = rows.find('\n') + 1;

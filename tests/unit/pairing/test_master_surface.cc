@@ -453,3 +453,30 @@ TEST(PairingFoot, SheetsHaveNoSides)
         master, {.1 * side, .3, 0}, {vec(1, 0), vec(-1, 0)}, .1, vec(side, 0));
     }
 }
+
+
+
+// also far away, beside edges and corners, and in the plane
+TEST(FaceNet, EnclosesWhatIsInsideOnly)
+{
+  const FacesOnly body = test::cube(3);
+  const FaceNet   cube(body, body.surface(body.boundary_ids()));
+  EXPECT_TRUE(cube.encloses({.5, .5, .5}));
+  EXPECT_TRUE(cube.encloses({.01, .99, .5}));
+  EXPECT_NEAR(cube.depth({.5, .5, .1}), .1 * 3, 1e-12);
+  for (const Point<3> &p : {Point<3>(1.01, .5, .5),
+                            Point<3>(1, 1, 8.),
+                            Point<3>(.999, .999, 8.),
+                            Point<3>(-9, 2, 1e-9)})
+    {
+      EXPECT_FALSE(cube.encloses(p)) << p;
+      EXPECT_EQ(cube.depth(p), 0) << p;
+    }
+  const FacesOnly square({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}},
+                         {{{0, 1}, 0}, {{1, 2}, 0}, {{2, 3}, 0}, {{3, 0}, 0}},
+                         false);
+  const FaceNet   sides(square, square.surface({0}));
+  EXPECT_TRUE(sides.encloses({1.9, .1, 0}));
+  EXPECT_FALSE(sides.encloses({2.1, .1, 0}));
+  EXPECT_FALSE(sides.encloses({1, -5, 0}));
+}

@@ -38,7 +38,7 @@ namespace
      * The next increment ends at t with displacements u (the top's are those
      * of its support) and reactions r; loads are what balances them.
      */
-    output::IncrementRecord
+    model::IncrementRecord
     next(const double t, Eigen::VectorXd u, const Eigen::VectorXd &r)
     {
       for (Eigen::Index i = 0; i < 6; ++i)
@@ -64,7 +64,7 @@ namespace
           loads.tail(2).setZero();
           finding.external.held.tail(2) = all.tail(2);
         }
-      output::IncrementRecord record;
+      model::IncrementRecord record;
       finding.acting = loads + finding.external.held;
       energies.add({model.bodies, model.coordinates},
                    model.points,

@@ -39,12 +39,12 @@ namespace
     }
   };
 
-  output::Resultant
+  model::Resultant
   sum(const ExternalForces &all)
   {
-    output::Resultant result = all.loads;
+    model::Resultant result = all.loads;
     for (const auto *list : {&all.contacts, &all.masters, &all.supports})
-      for (const output::Resultant &one : *list)
+      for (const model::Resultant &one : *list)
         {
           result.force += one.force;
           result.moment += one.moment;
