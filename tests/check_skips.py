@@ -254,9 +254,9 @@ def chosen(laws):
 def failed(laws):
     """A run without an equilibrium says what it did, too."""
     done, folder = laws.start(scenes.SHIPPED / "floating-block.prm", "-s", "Contact bottom/Friction coefficient=0.01")
-    last = (folder / "log.txt").read_text().splitlines()[-3:]
-    laws.demand(f"exit code {done.returncode}: the reason, memory and work end the log",
-                done.returncode == 2 and done.stderr.endswith(last[0] + "\n") and last[2].startswith("work: 1 fact"))
+    last = (folder / "log.txt").read_text().splitlines()[-4:]
+    laws.demand(f"exit code {done.returncode}: the reason, memory, elements and work end the log",
+                done.returncode == 2 and done.stderr.endswith(last[0] + "\n") and last[3].startswith("work: 1 fact"))
 
 
 def frictionless(laws):

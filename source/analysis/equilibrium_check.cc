@@ -99,7 +99,11 @@ namespace conetact::analysis
                              const contact::ContactHistory &before,
                              const Eigen::VectorXd         &r) const
   {
-    return limit_state(problem, before, r).has_value();
+    const Eigen::Index n = problem.system->n_contact_unknowns();
+    return existence && !problem.system->large && r.size() >= n &&
+           existence->is_limit(run.model.elasticity().contact_load(problem),
+                               load_at_start(problem, before),
+                               r.head(n));
   }
 
   std::string

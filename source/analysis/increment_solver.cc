@@ -85,8 +85,8 @@ namespace conetact::analysis
     options.ends_early             = [this] { return leaves_slow_increment(); };
     options.stop     = [this] { return is_slow && Interruption::is_wanted(); };
     options.is_limit = [this](const solvers::ContactState &last) {
-      return problem_at_hand != nullptr &&
-             equilibrium.is_limit(*problem_at_hand,
+      Assert(problem_at_hand != nullptr, dealii::ExcInternalError());
+      return equilibrium.is_limit(*problem_at_hand,
                                   increment_at_hand->before,
                                   last.r);
     };
@@ -100,8 +100,7 @@ namespace conetact::analysis
     is_slow                     = true;
     if (!start_is_known)
       return true;
-    if (increment_at_hand == nullptr)
-      return Interruption::is_wanted();
+    Assert(increment_at_hand != nullptr, dealii::ExcInternalError());
     const model::IncrementRecord &record = increment_at_hand->record;
     if (run.model.points.n_unknowns() >= many &&
         std::exchange(slow_increment, record.increment) != record.increment)

@@ -19,6 +19,25 @@ namespace conetact::application
       const Tensor<1, 3> move = obstacle.displacement_at(0);
       return move.norm() == 0 ? "" : "Displacement: it is " + to_text(move);
     }
+
+    /** The entry of a body in space that says something in the plane only;
+     * empty: there is none. */
+    std::string
+    entry_of_plane(dealii::ParameterHandler &prm, const std::string &body)
+    {
+      std::string entry;
+      prm.enter_subsection("Body " + body);
+      if (prm.get("Kind") == "continuum")
+        {
+          prm.enter_subsection("Material");
+          entry = prm.get("Plane") != "strain" ? "Plane" :
+                  prm.get("Thickness") != "1"  ? "Thickness" :
+                                                 "";
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+      return entry;
+    }
   } // namespace
 
 
@@ -47,6 +66,13 @@ namespace conetact::application
                             to_text(times.back()) + " and t = " +
                             to_text(*contact.preload->locked_from) +
                             " is after it.");
+    for (std::size_t b = 0; b < bodies.n_elastic() && bodies.dim == 3; ++b)
+      if (const std::string entry = entry_of_plane(prm, bodies.names[b]);
+          !entry.empty())
+        sentences.push_back("Body '" + bodies.names[b] + "', Material/" +
+                            entry +
+                            ": it says nothing of a body in space. Remove the "
+                            "entry.");
     return sentences;
   }
 

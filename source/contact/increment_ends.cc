@@ -3,6 +3,8 @@
 //
 // What the laws of an increment say of its end.
 
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
 #include "conetact/contact/increment_laws.h"
 
 #include <deal.II/base/exceptions.h>
@@ -12,6 +14,30 @@
 
 namespace conetact::contact
 {
+  namespace
+  {
+    /** A layer that closes less under more pressure has no one answer to it. */
+    void
+    refuse_falling_closing(const pairing::ContactNode &node,
+                           const pairing::Situation   &at)
+    {
+      constexpr double   part = 1e-6;
+      pairing::Situation more = at;
+      more.pressure *= 1 + part;
+      const auto closing = [&](const pairing::Situation &here) {
+        return here.pressure * (node.layer->is_unloaded(at) ?
+                                  node.layer->unloading_by_pressure(here) :
+                                  node.layer->closing_by_pressure(here));
+      };
+      if (closing(more) < (1 - 1e-3 * part) * closing(at))
+        throw InputError(
+          "A contact at " + to_text(node.position) +
+          " closes less under more pressure, at p = " + to_text(at.pressure) +
+          ": its closing is Compliance times p. Let Compliance fall more "
+          "slowly than 1/p.");
+    }
+  } // namespace
+
   Eigen::VectorXd
   IncrementLaws::seen(const std::size_t            i,
                       const solvers::ContactState &end) const
@@ -87,8 +113,14 @@ namespace conetact::contact
   {
     Eigen::VectorXd p(static_cast<Index>(start.size()));
     for (std::size_t i = 0; i < start.size(); ++i)
-      p[static_cast<Index>(i)] =
-        situation(i, end.r[points[i].normal()], 0).pressure;
+      {
+        const pairing::Situation at =
+          situation(i, end.r[points[i].normal()], 0);
+        const pairing::ContactNode &node = *points[i].node;
+        if (node.layer && node.layer->is_soft() && at.pressure > 0)
+          refuse_falling_closing(node, at);
+        p[static_cast<Index>(i)] = at.pressure;
+      }
     return p;
   }
 

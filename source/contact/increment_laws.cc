@@ -22,16 +22,6 @@ namespace conetact::contact
 
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-    [[noreturn]] void
-    refuse_falling_closing(const pairing::ContactNode &node, const double p)
-    {
-      throw InputError(
-        "A contact at " + to_text(node.position) +
-        " closes less under more pressure, at p = " + to_text(p) +
-        ": its closing is Compliance (or wear) times p. Let "
-        "Compliance fall more slowly than 1/p.");
-    }
-
     /** An ellipse that is next to a line leads Newton's method nowhere. */
     void
     refuse_one_axis(const pairing::ContactNode &node,
@@ -327,10 +317,9 @@ namespace conetact::contact
     const double   p = here.pressure;
     solvers::Layer result;
     result.closing = law.closing(here) + p * worn(here);
+    // on the way to a solution; one where it falls is refused (pressures())
     result.by_force =
-      (C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
-    if (result.by_force < 0)
-      refuse_falling_closing(*point.node, p);
+      std::max(0., C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
     if (bonds[i] && r_n < 0) // what is glued stretches
       result.closing = result.by_force * r_n;
     if (now)

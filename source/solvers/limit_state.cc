@@ -4,6 +4,7 @@
 #include "conetact/solvers/existence.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace conetact::solvers
 {
@@ -63,7 +64,42 @@ namespace conetact::solvers
         }
       return s;
     }
+
+    /** Which part of the way from c0 on `now` is; nothing: it is beside it. */
+    std::optional<double>
+    part_of_way(const VectorXd &c0, const VectorXd &way, const VectorXd &now)
+    {
+      if (!(way.norm() > 0))
+        return {};
+      const double part = (now - c0).dot(way) / way.squaredNorm();
+      if (part >= 0 && part < 1 &&
+          (now - c0 - part * way).norm() <= off_the_way * way.norm())
+        return part;
+      return {};
+    }
   } // namespace
+
+
+
+  bool
+  ExistenceCheck::is_limit(const VectorXd &load,
+                           const VectorXd &start,
+                           const VectorXd &last) const
+  {
+    eigen_assert(load.size() == R.rows());
+    eigen_assert(start.size() == R.rows());
+    eigen_assert(last.size() == R.rows());
+    const VectorXd c0 = R.transpose() * start, now = -R.transpose() * last;
+    const VectorXd way    = R.transpose() * load - c0;
+    const auto     solved = part_of_way(c0, way, now);
+    if (!solved || *solved == 0)
+      return false;
+    const double   more = std::min(near, 1 - *solved);
+    const VectorXd then = last + more / *solved * (last + start);
+    const VectorXd c    = now + more * way;
+    return nearest_reach_of_discs(*system, R, c, friction_of(*system, then))
+             .z.norm() > directed * std::max(c.norm(), now.norm());
+  }
 
 
 
@@ -78,12 +114,10 @@ namespace conetact::solvers
     Existence      result;
     const VectorXd c = R.transpose() * load, c0 = R.transpose() * start;
     const VectorXd now = -R.transpose() * last, way = c - c0;
-    if (R.cols() == 0 || !(way.norm() > 0))
+    const auto     part = part_of_way(c0, way, now);
+    if (R.cols() == 0 || !part)
       return result;
-    const double solved = (now - c0).dot(way) / way.squaredNorm();
-    if (!(solved >= 0 && solved < 1) ||
-        (now - c0 - solved * way).norm() > off_the_way * way.norm())
-      return result;
+    const double solved = *part;
     VectorXd     w;
     const double more =
       largest_share(*system, R, friction_of(*system, last), now, c - now, w);

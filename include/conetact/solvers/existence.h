@@ -109,6 +109,17 @@ namespace conetact::solvers
                 const Eigen::VectorXd &start,
                 const Eigen::VectorXd &last) const;
 
+    /**
+     * Whether a little more of the load than `last` bears cannot be balanced
+     * with the friction that reactions allow, though normal reactions go on to
+     * change as they have since the start, whose reactions are minus `start`.
+     * Unlike limit_state() it holds where normal reactions grow with the load.
+     */
+    bool
+    is_limit(const Eigen::VectorXd &load,
+             const Eigen::VectorXd &start,
+             const Eigen::VectorXd &last) const;
+
     /** The orthonormal basis R in use, n x k. */
     const Eigen::MatrixXd &
     basis() const

@@ -369,20 +369,6 @@ namespace conetact::bodies
     prm.leave_subsection();
   }
 
-  namespace
-  {
-    /** Bodies in space are as thick as their meshes. */
-    void
-    refuse_plane(const ElasticMaterial &material, const std::string &where)
-    {
-      const bool is_thick = material.thickness != 1;
-      if (is_thick || material.plane != ElasticMaterial::Plane::strain)
-        throw InputError(where + (is_thick ? "Thickness" : "Plane") +
-                         ": it is for Dimension = 2, and this scene has 3. "
-                         "Remove the entry.");
-    }
-  } // namespace
-
   std::vector<MaterialOfGroups>
   parse_materials(ParameterHandler  &prm,
                   const unsigned int dim,
@@ -415,8 +401,6 @@ namespace conetact::bodies
         material.plane = plane_of(prm.get("Plane"));
         material.thickness =
           to_number(prm.get("Thickness"), where + "Thickness");
-        if (dim == 3)
-          refuse_plane(material, where);
         check(material, where);
         if (n > 1 && materials[i].groups.empty())
           throw InputError(where + "Material group: a group is missing beside "
