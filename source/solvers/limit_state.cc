@@ -4,6 +4,7 @@
 #include "conetact/solvers/existence.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace conetact::solvers
@@ -24,6 +25,11 @@ namespace conetact::solvers
      * not what failed. */
     constexpr double near = .02, near_of_all = .005;
 
+    /** Of what is added to a load: if more of it is left, next to nothing holds
+     * it. Less may be what a search for reactions at their limits has not
+     * found. */
+    constexpr double most_left = .5;
+
     /** The friction that reactions allow, node by node. */
     VectorXd
     friction_of(const ContactSystem &system, const VectorXd &r)
@@ -32,6 +38,25 @@ namespace conetact::solvers
       for (Index i = 0; i < system.n_nodes(); ++i)
         radius[i] = system.mu[i] * std::max(0., r[system.normal(i)]);
       return radius;
+    }
+
+    /** The least work that reactions with this friction do in a motion: a proof
+     * of what they do not hold, whether or not the motion is the best one. */
+    double
+    work_left(const ContactSystem &system,
+              const VectorXd      &v,
+              const VectorXd      &radius)
+    {
+      constexpr double rounding = 1e-6; // of what nodes move by
+      double           work     = 0;
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        {
+          if (v[system.normal(i)] < -rounding * largest(v))
+            return -std::numeric_limits<double>::infinity();
+          work -=
+            radius[i] * v.segment(system.first[i], system.n_tangents(i)).norm();
+        }
+      return work;
     }
 
     /**
@@ -94,11 +119,13 @@ namespace conetact::solvers
     const auto     solved = part_of_way(c0, way, now);
     if (!solved || *solved == 0)
       return false;
-    const double   more = std::min(near, 1 - *solved);
-    const VectorXd then = last + more / *solved * (last + start);
-    const VectorXd c    = now + more * way;
-    return nearest_reach_of_discs(*system, R, c, friction_of(*system, then))
-             .z.norm() > directed * std::max(c.norm(), now.norm());
+    const double   more   = std::min(near, 1 - *solved);
+    const VectorXd then   = last + more / *solved * (last + start);
+    const VectorXd c      = now + more * way;
+    const VectorXd radius = friction_of(*system, then);
+    const VectorXd z      = nearest_reach_of_discs(*system, R, c, radius).z;
+    return work_left(*system, R * z, radius) + z.dot(c) >
+           most_left * more * way.norm() * z.norm();
   }
 
 
