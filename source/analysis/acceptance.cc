@@ -236,7 +236,8 @@ namespace conetact::analysis
         const pairing::ContactNode &node = nodes[i];
         // Nodes held along their normal are no unknowns of contact: no solver
         // has seen their gaps.
-        if (has_rows[i] || !node.is_active(increment.record.time))
+        const bool is_soft = node.layer && node.layer->is_soft();
+        if (has_rows[i] || is_soft || !node.is_active(increment.record.time))
           continue;
         const double worn = i < held_depths.size() ? held_depths[i] : 0.;
         const double gap =

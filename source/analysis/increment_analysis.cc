@@ -25,6 +25,18 @@ namespace conetact::analysis
       return std::max(finding.residual, finding.equilibrium);
     }
 
+    /** A share of the load of a part is none of the whole increment. */
+    std::string
+    of_part(std::string why)
+    {
+      const std::string part = "of the load of this part of the increment";
+      for (const std::string whole :
+           {"of this increment's load", "of the load of this increment"})
+        if (const std::size_t at = why.find(whole); at != std::string::npos)
+          why.replace(at, whole.size(), part);
+      return why;
+    }
+
     /** Of what processes have found, on which decisions rest; throws
      * AnalysisError. */
     void
@@ -128,7 +140,9 @@ namespace conetact::analysis
         PendingIncrement &increment = batch.back();
         Failure           failure   = solve_next(increment);
         if (failure)
-          failure.why = failed(increment.record, failure.why);
+          failure.why =
+            failed(increment.record,
+                   parts.is_cut() ? of_part(failure.why) : failure.why);
         // how long the way of an open motion is says the end of the one before
         const bool is_early = !failure && batch.size() > 1 &&
                               solver.open_motions(increment).exist();

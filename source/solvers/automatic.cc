@@ -207,7 +207,9 @@ namespace conetact::solvers
     double         solved = 0, ratio = 10;
     const double   softest = 1e6 * softer;
     state.node.clear();
-    for (unsigned int step = 0; step < most_steps; ++step)
+    for (unsigned int step = 0;
+         step < most_steps && !(options.stop && options.stop());
+         ++step)
       {
         part.system             = softened(*system, softer, friction);
         ContactState       next = state;
@@ -324,14 +326,17 @@ namespace conetact::solvers
   {
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
-    bool solved = eliminate_motions(problem, state, thorough, report) ||
-                  move_out(problem, state, report) ||
-                  stiffen(problem, state, report) ||
-                  relax(problem, state, 30, report) ||
-                  smooth(problem, state, options.smoothing.m0, report);
+    const auto go_on = [&] { return !options.stop || !options.stop(); };
+    bool       solved =
+      eliminate_motions(problem, state, thorough, report) ||
+      (go_on() && move_out(problem, state, report)) ||
+      (go_on() && stiffen(problem, state, report)) ||
+      (go_on() && relax(problem, state, 30, report)) ||
+      (go_on() && smooth(problem, state, options.smoothing.m0, report));
     if (!solved && thorough)
-      solved = relax(problem, state, 300, report) ||
-               smooth(problem, state, 100 * options.smoothing.m0, report);
+      solved =
+        (go_on() && relax(problem, state, 300, report)) ||
+        (go_on() && smooth(problem, state, 100 * options.smoothing.m0, report));
     report.converged = solved;
     if (solved)
       report.reason.clear();
@@ -444,6 +449,8 @@ namespace conetact::solvers
     if (!report.converged)
       solve_slowly(problem, state, true, report);
     add_work(report, first);
+    if (!report.converged && options.stop && options.stop())
+      return report;
     if (redundant && !report.converged)
       if (ContactState trial = estimate; solve_again(problem, trial, report))
         state = trial;

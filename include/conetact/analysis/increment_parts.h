@@ -24,6 +24,12 @@ namespace conetact::analysis
     {
       return ends.empty() ? whole : ends.back();
     }
+    /** Whether the increment has been cut. */
+    bool
+    is_cut() const
+    {
+      return others_follow() || n_taken > 0;
+    }
     /** Whether others follow the part that is next. */
     bool
     others_follow() const
