@@ -9,6 +9,18 @@
 
 namespace conetact::analysis
 {
+  namespace
+  {
+    /** Whether the check can be asked about them: not of large systems. */
+    bool
+    has_contact_reactions(const solvers::ContactProblem &problem,
+                          const Eigen::VectorXd         &r)
+    {
+      return !problem.system->large &&
+             r.size() >= problem.system->n_contact_unknowns();
+    }
+  } // namespace
+
   EquilibriumCheck::EquilibriumCheck(RunContext &r, const bool change)
     : run(r)
     , contacts_change(change)
@@ -85,7 +97,7 @@ namespace conetact::analysis
                                 const Eigen::VectorXd         &r) const
   {
     const Eigen::Index n = problem.system->n_contact_unknowns();
-    if (!existence || problem.system->large || r.size() < n)
+    if (!existence || !has_contact_reactions(problem, r))
       return {};
     const solvers::Existence limit =
       existence->limit_state(run.model.elasticity().contact_load(problem),
@@ -100,7 +112,7 @@ namespace conetact::analysis
                              const Eigen::VectorXd         &r) const
   {
     const Eigen::Index n = problem.system->n_contact_unknowns();
-    return existence && !problem.system->large && r.size() >= n &&
+    return existence && has_contact_reactions(problem, r) &&
            existence->is_limit(run.model.elasticity().contact_load(problem),
                                load_at_start(problem, before),
                                r.head(n));

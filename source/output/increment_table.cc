@@ -166,10 +166,9 @@ namespace conetact::output
                             entry(record.contacts, c));
     columns.add_resultant("supports", record.supports);
     columns.add_resultant("loads", record.loads);
-    if (run.bodies.size() > 1)
-      for (std::size_t b = 0; b < run.bodies.size(); ++b)
-        columns.add("balance_" + safe_names(run.bodies)[b],
-                    entry(record.body_balance, b));
+    const std::vector<std::string> bodies = safe_names(run.bodies);
+    for (std::size_t b = 0; b < bodies.size() && bodies.size() > 1; ++b)
+      columns.add("balance_" + bodies[b], entry(record.body_balance, b));
     columns.add("balance", record.balance);
     fill_external(record, columns);
     fill_further(record, columns);

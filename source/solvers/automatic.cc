@@ -53,6 +53,23 @@ namespace conetact::solvers
       return report;
     }
 
+    /** The method without u of the part before, which does not go with the
+     * offset of this one. */
+    LoadParts::Method
+    anew(const LoadParts::Method &method)
+    {
+      return [method](const ContactProblem &part, ContactState &state) {
+        state.u = VectorXd();
+        return method(part, state);
+      };
+    }
+
+    bool
+    is_stopped(const SolverOptions &options)
+    {
+      return options.stop && options.stop();
+    }
+
     /** Whether reactions are rounding of those that close gaps would need. */
     bool
     presses_nothing(const ContactProblem &problem, const ContactState &state)
@@ -207,8 +224,7 @@ namespace conetact::solvers
     double         solved = 0, ratio = 10;
     const double   softest = 1e6 * softer;
     state.node.clear();
-    for (unsigned int step = 0;
-         step < most_steps && !(options.stop && options.stop());
+    for (unsigned int step = 0; step < most_steps && !is_stopped(options);
          ++step)
       {
         part.system             = softened(*system, softer, friction);
@@ -326,7 +342,7 @@ namespace conetact::solvers
   {
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
-    const auto go_on = [&] { return !options.stop || !options.stop(); };
+    const auto go_on = [&] { return !is_stopped(options); };
     bool       solved =
       eliminate_motions(problem, state, thorough, report) ||
       (go_on() && move_out(problem, state, report)) ||
@@ -375,11 +391,9 @@ namespace conetact::solvers
   Automatic::solve_in_parts(const ContactProblem &problem, ContactState &state)
   {
     LoadParts parts = parts_of(problem, state);
-    parts.solve     = [&](const ContactProblem &part, ContactState &trial) {
-      // u of the part before does not go with the offset of this one
-      trial.u = VectorXd();
+    parts.solve = anew([&](const ContactProblem &part, ContactState &trial) {
       return solve_whole(part, trial, false);
-    };
+    });
     return solvers::solve_in_parts(parts, problem, state);
   }
 
@@ -390,14 +404,13 @@ namespace conetact::solvers
                                  ContactState         &state)
   {
     LoadParts parts = parts_of(problem, state);
-    parts.solve     = [&](const ContactProblem &part, ContactState &trial) {
-      trial.u = VectorXd();
+    parts.solve = anew([&](const ContactProblem &part, ContactState &trial) {
       return solve_fast(part, trial);
-    };
-    parts.otherwise = [&](const ContactProblem &part, ContactState &trial) {
-      trial.u = VectorXd();
-      return solve_whole(part, trial, false);
-    };
+    });
+    parts.otherwise =
+      anew([&](const ContactProblem &part, ContactState &trial) {
+        return solve_whole(part, trial, false);
+      });
     return solvers::solve_in_parts(parts, problem, state);
   }
 
@@ -436,7 +449,7 @@ namespace conetact::solvers
                            is_sparse_compliance(*problem.system);
     if (redundant)
       first = make_redundant_contacts(options)->solve(problem, estimate);
-    if (first.converged || (options.stop && options.stop()))
+    if (first.converged || is_stopped(options))
       {
         state = estimate;
         return first;
@@ -449,7 +462,7 @@ namespace conetact::solvers
     if (!report.converged)
       solve_slowly(problem, state, true, report);
     add_work(report, first);
-    if (!report.converged && options.stop && options.stop())
+    if (!report.converged && is_stopped(options))
       return report;
     if (redundant && !report.converged)
       if (ContactState trial = estimate; solve_again(problem, trial, report))
@@ -469,7 +482,7 @@ namespace conetact::solvers
       }
     SolverReport parts = solve_in_parts(problem, state);
     add_work(parts, report);
-    if (parts.converged || (options.stop && options.stop()))
+    if (parts.converged || is_stopped(options))
       return parts;
     // Smoothing needs no polish where states that share a force cannot settle.
     SolverReport smoothed =
