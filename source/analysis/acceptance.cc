@@ -271,7 +271,7 @@ namespace conetact::analysis
                         "(Kinematics = small), and is wrong by as much.");
         return "";
       }
-    if (scene.contact(contact).slides)
+    if (scene.contacts[contact].slides)
       return why;
     if (of.may_slide())
       {

@@ -187,7 +187,7 @@ namespace conetact::analysis
       description.preloads.push_back(scene.contact_names[cut.contact]);
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
-        const pairing::Contact &contact = scene.contact(c);
+        const pairing::Contact &contact = scene.contacts[c];
         if (contact.layer && contact.layer->wears())
           description.wearing.push_back(c);
         if (contact.bond)

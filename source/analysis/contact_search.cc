@@ -19,34 +19,24 @@ namespace conetact::analysis
                                contact::ContactModel          &m)
     : contacts(c)
     , model(m)
-    , frames(m.bodies.frames)
-    , start_nodes(m.points.nodes())
+    , passages(contacts, model)
   {
-    find_obstacle_faces();
+    start.frames = model.bodies.frames;
+    start.nodes  = model.points.nodes();
   }
 
-  void
-  ContactSearch::find_obstacle_faces()
+  std::string
+  ContactSearch::passes_through(const Eigen::VectorXd &u,
+                                const double           t,
+                                const bool             may_be_cut)
   {
-    using Key = std::pair<unsigned int, unsigned int>; // contact, body
-    std::map<Key, std::map<unsigned int, std::size_t>> nodes_of;
-    for (std::size_t i = 0; i < start_nodes.size(); ++i)
-      if (const pairing::ContactNode &node = start_nodes[i];
-          node.obstacle != nullptr && !node.is_bound() &&
-          !node.obstacle->shape->states_gaps())
-        nodes_of[{node.contact, node.body}][node.node] = i;
-    for (const auto &[key, nodes] : nodes_of)
-      {
-        const bodies::Structure &body = *model.bodies.structures[key.second];
-        for (const auto &face : body.surface(body.boundary_ids()).faces)
-          for (const auto &corners : bodies::parts_of_contacts(body, face))
-            if (std::all_of(corners.begin(),
-                            corners.end(),
-                            [&, &of = nodes](const unsigned int corner) {
-                              return of.count(corner) > 0;
-                            }))
-              obstacle_faces.push_back({nodes.at(corners[0]), corners});
-      }
+    return passages.pass_through(start, u, t, may_be_cut, inside);
+  }
+
+  std::string
+  ContactSearch::loses_masters(const Eigen::VectorXd &u) const
+  {
+    return passages.lose_masters(start, u);
   }
 
   ContactSearch::Found
@@ -118,7 +108,7 @@ namespace conetact::analysis
     const auto   note    = [&](const Expression &angle) {
       turn =
         std::max(turn,
-                 std::abs(angle(Point<3>(), t) - angle(Point<3>(), start_t)));
+                 std::abs(angle(Point<3>(), t) - angle(Point<3>(), start.t)));
     };
     for (const bodies::Support &support : model.bodies.supports)
       if (support.turn)
@@ -142,14 +132,14 @@ namespace conetact::analysis
     const contact::RigidMotions &motions = model.motions;
     Eigen::VectorXd              before  = motions.none(), deformed;
     go_back();
-    if (start.size() > 0)
+    if (start.u.size() > 0)
       {
-        before   = motions.placement(start_t);
-        deformed = model.coordinates.in_frames(start);
+        before   = motions.placement(start.t);
+        deformed = model.coordinates.in_frames(start.u);
       }
     model.frames.move_with_supports(t);
     Eigen::VectorXd u = motions.field(motions.placement(t) - before);
-    if (start.size() > 0)
+    if (start.u.size() > 0)
       u += deformed;
     return find(model.coordinates.displacements(u), t);
   }
@@ -212,7 +202,7 @@ namespace conetact::analysis
   ContactSearch::take(Found found, contact::ContactHistory &history) const
   {
     return found.why_not.empty() ?
-             history.relink(std::move(found.nodes), start, start_t) :
+             history.relink(std::move(found.nodes), start.u, start.t) :
              found.why_not;
   }
 
@@ -220,17 +210,17 @@ namespace conetact::analysis
   ContactSearch::accept(const Eigen::VectorXd &u, const double t)
   {
     AssertDimension(u.size(), model.coordinates.n_dofs());
-    start        = u;
-    start_t      = t;
-    frames       = model.bodies.frames;
-    start_nodes  = model.points.nodes();
-    start_inside = inside;
+    start.u      = u;
+    start.t      = t;
+    start.frames = model.bodies.frames;
+    start.nodes  = model.points.nodes();
+    start.inside = inside;
   }
 
   void
   ContactSearch::go_back()
   {
-    model.frames.place(frames);
+    model.frames.place(start.frames);
   }
 
   void
@@ -238,9 +228,9 @@ namespace conetact::analysis
   {
     if (!is_needed())
       return;
-    pairing::save_found(start_nodes, archive);
-    pairing::save_frames(frames, archive);
-    pairing::save_entries(start_inside, archive);
+    pairing::save_found(start.nodes, archive);
+    pairing::save_frames(start.frames, archive);
+    pairing::save_entries(start.inside, archive);
   }
 
   namespace
@@ -267,23 +257,23 @@ namespace conetact::analysis
                        "be.");
     if (!is_needed())
       return;
-    start.resize(model.coordinates.n_dofs());
-    archive.fill("verification/u", start);
-    archive.fill("verification/t", start_t);
+    start.u.resize(model.coordinates.n_dofs());
+    archive.fill("verification/u", start.u);
+    archive.fill("verification/t", start.t);
     if (!has_searched)
       return;
-    pairing::restore_frames(archive, frames);
-    for (unsigned int body = 0; body < frames.size(); ++body)
-      if (!model.frames.has(body) && is_moved(frames[body]))
+    pairing::restore_frames(archive, start.frames);
+    for (unsigned int body = 0; body < start.frames.size(); ++body)
+      if (!model.frames.has(body) && is_moved(start.frames[body]))
         throw InputError("Option --restart: " + model.bodies.called(body) +
                          " has turned far in the run that is continued, and "
                          "supports hold it here so that it turns little. Hold "
                          "it as before.");
-    pairing::restore_found(archive, model.bodies.structures, start_nodes);
-    start_inside =
-      pairing::restore_entries(archive, model.bodies.structures, start_nodes);
+    pairing::restore_found(archive, model.bodies.structures, start.nodes);
+    start.inside =
+      pairing::restore_entries(archive, model.bodies.structures, start.nodes);
     go_back();
-    if (const std::string why = take({start_nodes}, history); !why.empty())
+    if (const std::string why = take({start.nodes}, history); !why.empty())
       throw AnalysisError(why);
   }
 } // namespace conetact::analysis

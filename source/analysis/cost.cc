@@ -5,6 +5,7 @@
 
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/large_nodes.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -165,7 +166,9 @@ namespace conetact::analysis
     bool
     has_hard_slave(const contact::ContactModel &model)
     {
-      return model.hardest_slave() > hard;
+      return contact::hardest_slave(model.elastic,
+                                    model.coordinates,
+                                    model.points) > hard;
     }
     /** How many times more iterations than one body that is held takes. */
     double

@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/increment_analysis.h"
 
+#include "conetact/analysis/askew_contacts.h"
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
@@ -56,6 +57,7 @@ namespace conetact::analysis
     : Analysis(s, l)
     , solver(*this)
     , settling(*this, solver, parts)
+    , between(solver.search.sliding_contacts(), model)
     , wear(*this, solver.search.is_needed())
   {
     if (scene.restart)
@@ -298,9 +300,9 @@ namespace conetact::analysis
         log.say("warning: " + when + sentence + ".");
     };
     if (!said_between)
-      say(said_between, solver.search.comes_between(u, increment.record.time));
+      say(said_between, between.comes_between(u, increment.record.time));
     if (!said_askew)
-      say(said_askew, solver.search.meets_askew(increment));
+      say(said_askew, meets_askew(model, increment.state.r));
   }
 
   void

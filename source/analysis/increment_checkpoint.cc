@@ -49,14 +49,14 @@ namespace conetact::analysis
   IncrementAnalysis::write_archive() const
   {
     Archive archive;
-    archive.put_text("scene", scene.values());
+    archive.put_text("scene", scene.entries.values());
     archive.put("times",
                 std::vector<double>(scene.times.begin(),
                                     scene.times.begin() + n_on_disk));
     archive.put("one by one", one_by_one ? 1. : 0.);
     archive.put_text("backend", backend->elasticity->name);
     put_reaction_rows(archive, n_reaction_rows);
-    scene.save_kinematics(archive);
+    application::save_kinematics(scene.contacts, archive);
     solver.search.save(archive);
     history.save(archive);
     acceptance.save(archive);
@@ -103,8 +103,9 @@ namespace conetact::analysis
   void
   IncrementAnalysis::restore_state()
   {
-    Archive    archive  = scene.restart->state;
-    const bool is_other = scene.has_stages() && take_to_layout(model, archive);
+    Archive    archive = scene.restart->state;
+    const bool is_other =
+      scene.stages.may_change() && take_to_layout(model, archive);
     check_checkpoint(archive, model, scene.support_names);
     double one = 0;
     archive.fill("one by one", one);

@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/mechanism_files.h"
 #include "conetact/analysis/path_outcome.h"
+#include "conetact/application/method_checks.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/interruption.h"
 #include "conetact/base/text.h"
@@ -75,7 +76,7 @@ namespace conetact::analysis
   void
   PathAnalysis::check_history()
   {
-    scene.check_stages();
+    application::check_linear_stages(scene, scene.times);
     Analysis::check_history();
     refuse_falling();
   }

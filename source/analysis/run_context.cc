@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
+#include "conetact/contact/preloads.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -30,11 +31,11 @@ namespace conetact::analysis
     : scene(s)
     , log(l)
     , model(scene.bodies,
-            scene.stage_times(),
+            scene.stages.times_of_last(scene.times),
             *scene.condenser,
             scene.preconditioner)
     , loads(scene.nodal_loads())
-    , prestress(scene.prestress())
+    , prestress(contact::prestress_forces(scene.bodies))
     , backend(&with_backend(scene, model, log))
     , history(model)
     , acceptance(scene, model, l)

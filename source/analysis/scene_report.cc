@@ -210,8 +210,8 @@ namespace conetact::analysis
       if (n_no_cone > 0)
         log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
                  " contact nodes without friction or with held tangents");
-      if (model.points.n_held() > 0)
-        log.note("skipped: " + std::to_string(model.points.n_held()) +
+      if (model.points.traits().n_held > 0)
+        log.note("skipped: " + std::to_string(model.points.traits().n_held) +
                  " contact nodes whose normal is held by a support");
       if (!scene.path.follows && scene.n_drawings() < scene.times.size())
         log.note("skipped: drawings of " +
@@ -242,7 +242,7 @@ namespace conetact::analysis
                const contact::ContactModel &model,
                Log                         &log)
   {
-    for (const std::string &sentence : scene.left_out)
+    for (const std::string &sentence : scene.entries.left_out)
       log.note(sentence);
     report_bodies(scene, log);
     report_automatic(scene, log);
@@ -263,7 +263,7 @@ namespace conetact::analysis
                        scene.pairings[c],
                        scene.n_shared[c],
                        log);
-        report_kinematics(scene.contact(c), scene.kinematics[c], log);
+        report_kinematics(scene.contacts[c], scene.kinematics[c], log);
       }
     report_skipped(scene, model, log);
   }

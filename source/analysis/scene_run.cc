@@ -49,7 +49,7 @@ namespace conetact::analysis
         remove_file(folder / table);
       if (!goes_on)
         remove_file(folder / "checkpoint.bin");
-      write_atomically(folder / "used.prm", scene.values());
+      write_atomically(folder / "used.prm", scene.entries.values());
       if (!scene.automatic_text.empty())
         write_atomically(folder / automatic_file, scene.automatic_text);
       for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
@@ -136,6 +136,18 @@ namespace conetact::analysis
         }
     }
 
+    /** Why a later stage cannot begin anew with contacts that slide far, a
+     * sentence. */
+    std::string
+    why_not_anew(const application::Scene                  &scene,
+                 const std::map<unsigned int, std::string> &sliding)
+    {
+      const auto &[contact, why] = *sliding.begin();
+      return "Contact '" + scene.contact_names[contact] +
+             "' needs finite sliding in a stage of other supports: " + why +
+             ". Set Kinematics = finite sliding for it";
+    }
+
     /** Of the stages of its supports; whether it is the last one. */
     bool
     take_stage(const application::CommandLine &line,
@@ -143,7 +155,7 @@ namespace conetact::analysis
                Progress                       &progress,
                Log                            &log)
     {
-      const std::vector<double> ends = scene.stage_ends();
+      const std::vector<double> ends = scene.stages.ends(scene.times);
       const double done = scene.restart ? scene.times[scene.n_done() - 1] : 0.;
       const double from = std::max(done, progress.reached);
       const auto   end  = std::upper_bound(ends.begin(), ends.end(), from);
@@ -234,7 +246,7 @@ namespace conetact::analysis
         {
           note_slides(analysis, scene, progress, log);
           if (reached_before > 0)
-            throw AnalysisError(scene.why_not_anew(progress.shown_to_slide));
+            throw AnalysisError(why_not_anew(scene, progress.shown_to_slide));
           progress.reached = 0;
           return true;
         }
@@ -308,7 +320,7 @@ namespace conetact::analysis
       Built        built;
       agree([&] { built = build(line, log, progress); });
       if (line.print_parameters)
-        print(built.scene->documentation());
+        print(built.scene->entries.documentation());
       if (line.print_parameters || line.dry_run)
         {
           print("");

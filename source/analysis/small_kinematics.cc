@@ -87,7 +87,7 @@ namespace conetact::analysis
         return known
           .emplace(node.contact,
                    pairing::FaceNet(
-                     now, now.surface(scene.contact(node.contact).master_ids)))
+                     now, now.surface(scene.contacts[node.contact].master_ids)))
           .first->second;
       }
 
@@ -105,7 +105,7 @@ namespace conetact::analysis
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
-        const pairing::Contact &contact = scene.contact(c);
+        const pairing::Contact &contact = scene.contacts[c];
         if (contact.slides || !scene.kinematics[c].may_tilt() ||
             contact.obstacle != nullptr)
           continue;
@@ -309,7 +309,7 @@ namespace conetact::analysis
                       model.bodies.structures[b]->n_components() <=
                         model.bodies.dim};
         for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
-          if (const pairing::Contact &contact = scene.contact(c);
+          if (const pairing::Contact &contact = scene.contacts[c];
               (contact.kind != pairing::ContactKind::tie ||
                contact.may_part()) &&
               (contact.body == b ||

@@ -206,14 +206,16 @@ namespace conetact::application
                                                    bodies.structures,
                                                    bodies.dim))
       {
-        for (const auto *const list : {&obstacle_names, &contact_names})
-          if (std::count(list->begin(), list->end(), coupling.name) > 0)
-            throw InputError("Load '" + load_names[coupling.loads.front()] +
-                             "', Coupling: a contact or an obstacle has the "
-                             "name of its rigid body, '" +
-                             coupling.name + "'. Give it another one.");
+        const auto is_in = [&](const std::vector<std::string> &list) {
+          return std::count(list.begin(), list.end(), coupling.name) > 0;
+        };
+        if (is_in(entries.names.obstacles) || is_in(contact_names))
+          throw InputError("Load '" + load_names[coupling.loads.front()] +
+                           "', Coupling: a contact or an obstacle has the "
+                           "name of its rigid body, '" +
+                           coupling.name + "'. Give it another one.");
         obstacles.push_back(pairing::create_obstacle(
-          *coupling.obstacle, coupling.name, bodies.dim, file.parent_path()));
+          *coupling.obstacle, coupling.name, bodies.dim, entries.folder()));
         contact_names.push_back(coupling.name);
         add_contact(*coupling.contact,
                     coupling.name,

@@ -3,6 +3,7 @@
 
 #include "conetact/application/entry_texts.h"
 
+#include "conetact/application/entry_list.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/text.h"
 
@@ -18,7 +19,8 @@ namespace conetact::application
     entries_of_scene(const CommandLine &line)
     {
       std::string text;
-      for (const EntryDescription &entry : Scene(line).entries())
+      for (const EntryDescription &entry :
+           list_entries(Scene(line).entries.prm))
         {
           const std::string path = join(entry.path, "/") +
                                    (entry.path.empty() ? "" : "/") +

@@ -23,15 +23,9 @@ namespace conetact::application
         text += std::string(" ") + row.value_name;
       return text;
     }
-  } // namespace
 
-
-
-  const std::vector<OptionRow> &
-  option_table()
-  {
-    using Value                               = OptionRow::Value;
-    static const std::vector<OptionRow> table = {
+    using Value                          = OptionRow::Value;
+    const std::vector<OptionRow> options = {
       {'o',
        true,
        "output",
@@ -149,7 +143,14 @@ namespace conetact::application
       {'q', true, "quiet", Value::none, "", {}, "print errors only"},
       {'v', false, "version", Value::none, "", {}, "print the version"},
       {'h', true, "help", Value::none, "", {}, "print this text"}};
-    return table;
+  } // namespace
+
+
+
+  const std::vector<OptionRow> &
+  option_table()
+  {
+    return options;
   }
 
 

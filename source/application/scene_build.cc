@@ -4,8 +4,8 @@
 // What a scene is made of, from its entries.
 
 #include "conetact/application/axisymmetry.h"
+#include "conetact/application/method_checks.h"
 #include "conetact/application/scene.h"
-#include "conetact/application/scene_entries.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
@@ -19,7 +19,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace conetact::application
 {
@@ -87,13 +86,88 @@ namespace conetact::application
             }
         }
     }
+
+    /** Those that nothing reaches. */
+    std::vector<bool>
+    bodies_at_rest(const SceneObjects &scene)
+    {
+      std::vector<bool> at_rest(scene.bodies.structures.size(), true);
+      for (const bodies::Load &load : scene.loads)
+        if (!load.is_zero())
+          at_rest[load.body] = false;
+      for (const bodies::Support &support : scene.bodies.supports)
+        if (!support.is_still())
+          at_rest[support.body] = false;
+      // also by a contact that stays open
+      for (const pairing::Contact &contact : scene.contacts)
+        {
+          at_rest[contact.body] = false;
+          if (contact.obstacle == nullptr)
+            at_rest[contact.master] = false;
+        }
+      return at_rest;
+    }
+
+    /** Those of sides that slide. */
+    void
+    keep_nodes(const std::vector<pairing::Contact> &contacts,
+               model::Bodies                       &bodies)
+    {
+      const auto keep = [&](const unsigned int body, const auto &ids) {
+        const bodies::Surface surface = bodies.structures[body]->surface(ids);
+        for (const bodies::SurfaceNode &node : surface.nodes)
+          bodies.nodes_to_keep.emplace_back(body, node.node);
+        // hanging ones, too
+        for (const bodies::SurfaceFace &face : surface.faces)
+          for (const unsigned int node : face.nodes)
+            bodies.nodes_to_keep.emplace_back(body, node);
+      };
+      for (const pairing::Contact &contact : contacts)
+        if (contact.slides)
+          {
+            keep(contact.body, contact.ids);
+            if (contact.obstacle == nullptr)
+              keep(contact.master, contact.master_ids);
+          }
+    }
   } // namespace
 
   void
   Scene::build(const std::vector<bodies::Refinements> &refinements)
   {
+    create_objects(refinements);
+    const std::vector<std::string> couplings = add_couplings();
+    if (bodies.dim == 2)
+      check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
+    hold_axes(bodies);
+    name_sides(contacts, *this);
+    check_turning_supports(*this, *this);
+    find_contact_nodes();
+    bodies.at_rest = bodies_at_rest(*this);
+    entries.prm.enter_subsection("Output");
+    probes = bodies::parse_probes(entries.prm.get("Probes"),
+                                  bodies.dim,
+                                  bodies.names,
+                                  bodies.structures,
+                                  "Output, Probes");
+    entries.prm.leave_subsection();
+    settle_friction(*this, *this);
+    check_path(*this, *this);
+    check_adaptive(adaptive, bodies.structures);
+    for (auto &body : contact::add_free_obstacles(obstacles, bodies))
+      structures.push_back(std::move(body));
+    act_on_couplings(couplings);
+    check_preloads(*this, times);
+    for (auto &body : contact::add_preloads(contacts, bodies))
+      structures.push_back(std::move(body));
+  }
+
+  void
+  Scene::create_objects(const std::vector<bodies::Refinements> &refinements)
+  {
+    Handler            &prm    = entries.prm;
     const unsigned int  dim    = bodies.dim;
-    const auto          folder = file.parent_path();
+    const auto          folder = entries.folder();
     std::vector<double> densities; // of each body
     create_each(prm, "Body", bodies.names, [&](const std::string &name) {
       const std::size_t b = structures.size();
@@ -111,58 +185,49 @@ namespace conetact::application
       prm.leave_subsection();
       bodies.structures.push_back(structures.back().get());
     });
-    obstacles.reserve(obstacle_names.size() + load_names.size()); // stay there
-    create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
+    // obstacles stay where they are, for contacts point to them
+    const std::vector<std::string> &names = entries.names.obstacles;
+    obstacles.reserve(names.size() + load_names.size());
+    create_each(prm, "Obstacle", names, [&](const std::string &name) {
       obstacles.push_back(pairing::create_obstacle(prm, name, dim, folder));
     });
     create_each(prm, "Support", support_names, [&](const std::string &name) {
       bodies.supports.push_back(bodies::create_support(
         prm, name, dim, bodies.names, bodies.structures));
     });
-    release_inactive(active_supports(times.back()), bodies.supports);
+    release_inactive(stages.active(times.back()), bodies.supports);
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
     take_densities(densities, bodies.names, loads);
     add_weights(densities);
-    create_each(prm, "Contact", contact_names, [&](const std::string &name) {
-      add_contact(prm, name, "Contact '" + name + "', ");
-    });
-    if (finds_contacts)
+    create_each(prm,
+                "Contact",
+                entries.names.contacts,
+                [&](const std::string &name) {
+                  add_contact(prm, name, "Contact '" + name + "', ");
+                });
+    if (entries.finds_contacts)
       add_automatic_contacts();
-    const std::vector<std::string> couplings = add_couplings();
-    if (dim == 2)
-      check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
-    hold_axes(bodies);
-    name_sides(contacts, *this);
-    check_turning_supports();
-    pair_contacts();
-    keep_nodes();
+  }
+
+  void
+  Scene::find_contact_nodes()
+  {
+    const FormerKinematics  former = {shown_to_slide,
+                                     restart ? &*restart : nullptr};
+    ContactKinematicsChoice choice(*this, former, *this, kinematics);
+    pairings = choice.pair(adjusted_contacts);
+    n_shared = choice.n_shared();
+    keep_nodes(contacts, bodies);
     contact::give_up_held_nodes(bodies);
-    bodies.at_rest = bodies_at_rest();
-    prm.enter_subsection("Output");
-    probes = bodies::parse_probes(prm.get("Probes"),
-                                  dim,
-                                  bodies.names,
-                                  bodies.structures,
-                                  "Output, Probes");
-    prm.leave_subsection();
-    settle_friction();
-    check_path();
-    check_adaptive(adaptive, bodies.structures);
-    for (auto &body : contact::add_free_obstacles(obstacles, bodies))
-      structures.push_back(std::move(body));
-    act_on_couplings(couplings);
-    check_preloads();
-    for (auto &body : contact::add_preloads(contacts, bodies))
-      structures.push_back(std::move(body));
   }
 
   void
   Scene::add_weights(const std::vector<double> &densities)
   {
-    const std::string given = prm.get("Gravity");
+    const std::string given = entries.prm.get("Gravity");
     if (given.empty())
       return;
     const Tensor<1, 3> gravity = to_vector(given, bodies.dim, "Gravity");
@@ -186,22 +251,17 @@ namespace conetact::application
   }
 
   void
-  Scene::add_contact(Handler           &entries,
+  Scene::add_contact(Handler           &prm,
                      const std::string &name,
                      const std::string &in)
   {
-    if (pairing::adjusts_gaps(entries))
+    if (pairing::adjusts_gaps(prm))
       adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
-    contacts.push_back(pairing::create_contact(entries,
-                                               name,
-                                               in,
-                                               bodies.dim,
-                                               bodies.names,
-                                               bodies.structures,
-                                               obstacles));
+    contacts.push_back(pairing::create_contact(
+      prm, name, in, bodies.dim, bodies.names, bodies.structures, obstacles));
     if (path.follows)
-      pairing::take_cohesion_of_path(entries, in, contacts.back());
-    kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
+      pairing::take_cohesion_of_path(prm, in, contacts.back());
+    kinematics.push_back({pairing::read_kinematics(prm), {}, {}, {}});
     if (bodies.dim == 2 && contacts.back().friction->is_elliptic())
       throw InputError(in + "Second friction coefficient: there is one tangent "
                             "only in 2D. Leave it empty.");
@@ -211,13 +271,13 @@ namespace conetact::application
   Scene::add_automatic_contacts()
   {
     if (!near_sides)
-      near_sides = find_near_sides(prm,
+      near_sides = find_near_sides(entries.prm,
                                    bodies.names,
                                    bodies.structures,
                                    obstacles,
-                                   named_sides(prm, contact_names));
+                                   named_sides(entries.prm, contact_names));
     for (const WrittenContact &contact :
-         write_contacts(prm, *near_sides, bodies.names, obstacles))
+         write_contacts(entries.prm, *near_sides, bodies.names, obstacles))
       {
         if (std::find(contact_names.begin(),
                       contact_names.end(),
@@ -232,67 +292,5 @@ namespace conetact::application
       }
     automatic_text =
       "set Contacts = " + join(contact_names) + '\n' + automatic_text;
-  }
-
-  void
-  Scene::check_preloads() const
-  {
-    for (const pairing::Contact &contact : contacts)
-      {
-        if (!contact.preload || !contact.preload->locked_from)
-          continue;
-        const double      from = *contact.preload->locked_from;
-        const std::string in =
-          "Contact '" + contact.name + "', Preload locked from: ";
-        if (from <= 0)
-          throw InputError(in + "the force acts up to t = " + to_text(from) +
-                           ", which is never. Give the end of the increment "
-                           "in which it has tightened the bolt.");
-        if (!times.empty() && from < times.back() &&
-            std::none_of(times.begin(), times.end(), [from](const double t) {
-              return std::abs(t - from) <= 1e-12 * std::abs(from);
-            }))
-          throw InputError(in + "no increment ends at t = " + to_text(from) +
-                           ". Give the end of one, or choose other Times.");
-      }
-  }
-
-  std::vector<bool>
-  Scene::bodies_at_rest() const
-  {
-    std::vector<bool> at_rest(bodies.structures.size(), true);
-    for (const bodies::Load &load : loads)
-      if (!load.is_zero())
-        at_rest[load.body] = false;
-    for (const bodies::Support &support : bodies.supports)
-      if (!support.is_still())
-        at_rest[support.body] = false;
-    for (const pairing::Contact &contact : contacts) // also one that stays open
-      {
-        at_rest[contact.body] = false;
-        if (contact.obstacle == nullptr)
-          at_rest[contact.master] = false;
-      }
-    return at_rest;
-  }
-
-  void
-  Scene::keep_nodes()
-  {
-    const auto keep = [&](const unsigned int body, const auto &ids) {
-      const bodies::Surface surface = bodies.structures[body]->surface(ids);
-      for (const bodies::SurfaceNode &node : surface.nodes)
-        bodies.nodes_to_keep.emplace_back(body, node.node);
-      for (const bodies::SurfaceFace &face : surface.faces) // hanging ones, too
-        for (const unsigned int node : face.nodes)
-          bodies.nodes_to_keep.emplace_back(body, node);
-    };
-    for (const pairing::Contact &contact : contacts)
-      if (contact.slides)
-        {
-          keep(contact.body, contact.ids);
-          if (contact.obstacle == nullptr)
-            keep(contact.master, contact.master_ids);
-        }
   }
 } // namespace conetact::application

@@ -67,7 +67,8 @@ namespace conetact::application
                             to_text(*contact.preload->locked_from) +
                             " is after it.");
     for (std::size_t b = 0; b < bodies.n_elastic() && bodies.dim == 3; ++b)
-      if (const std::string entry = entry_of_plane(prm, bodies.names[b]);
+      if (const std::string entry =
+            entry_of_plane(entries.prm, bodies.names[b]);
           !entry.empty())
         sentences.push_back("Body '" + bodies.names[b] + "', Material/" +
                             entry +

@@ -121,6 +121,50 @@ namespace conetact::bodies
         (dim == 3 ? "six in 3D: xx ; yy ; zz ; xy ; xz ; yz." :
                     "three in 2D, xx ; yy ; xy, or four with zz behind them."));
     }
+
+    /** Where and when a load acts, and how it takes hold of its faces. */
+    void
+    declare_place(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry(
+        "Active",
+        "1",
+        Anything(),
+        "A function of t for stages of an assembly: where it is "
+        "0 the load does not act, elsewhere it does. [-]");
+      prm.declare_entry("Boundary ids",
+                        "",
+                        Anything(),
+                        "For traction, pressure, force, moment, bearing, nodal "
+                        "force and line load: "
+                        "boundary ids of the body, separated by commas.");
+      prm.declare_entry("Point",
+                        "",
+                        Anything(),
+                        "Where a point force acts, and where a force acts that "
+                        "is not to act in the centre of its faces. A "
+                        "centrifugal load has its axis through this point; "
+                        "empty: through the origin. Coupling = rigid needs a "
+                        "point, which may be anywhere. [length]");
+      prm.declare_entry(
+        "Coupling",
+        "distributing",
+        Selection("distributing|rigid"),
+        "How a force or a moment acts on its faces. distributing: a linear "
+        "traction spreads it over the faces of Boundary ids, which still "
+        "deform. rigid: these faces and Point are one rigid body; the force "
+        "acts at Point, and the moment about it. Loads with the same faces and "
+        "the same Point have one rigid body. Tables call its motion 'obstacle "
+        "coupling LOAD', and what it passes on to the body 'coupling LOAD'. "
+        "Faces of bodies of revolution move along y only.");
+      prm.declare_entry("Axis",
+                        "",
+                        Anything(),
+                        "Direction of the axis of a centrifugal load in space. "
+                        "Empty: z. In the plane the axis is z; that of bodies "
+                        "of revolution is y. [-]");
+    }
   } // namespace
 
   void
@@ -154,42 +198,7 @@ namespace conetact::bodies
       "stress = C (strain - initial strain). These two act on the whole body, "
       "turn with it, and add up. Forces of frames come from the mean strain "
       "along each member.");
-    prm.declare_entry("Active",
-                      "1",
-                      Anything(),
-                      "A function of t for stages of an assembly: where it is "
-                      "0 the load does not act, elsewhere it does. [-]");
-    prm.declare_entry("Boundary ids",
-                      "",
-                      Anything(),
-                      "For traction, pressure, force, moment, bearing, nodal "
-                      "force and line load: "
-                      "boundary ids of the body, separated by commas.");
-    prm.declare_entry("Point",
-                      "",
-                      Anything(),
-                      "Where a point force acts, and where a force acts that "
-                      "is not to act in the centre of its faces. A "
-                      "centrifugal load has its axis through this point; "
-                      "empty: through the origin. Coupling = rigid needs a "
-                      "point, which may be anywhere. [length]");
-    prm.declare_entry(
-      "Coupling",
-      "distributing",
-      Selection("distributing|rigid"),
-      "How a force or a moment acts on its faces. distributing: a linear "
-      "traction spreads it over the faces of Boundary ids, which still "
-      "deform. rigid: these faces and Point are one rigid body; the force "
-      "acts at Point, and the moment about it. Loads with the same faces and "
-      "the same Point have one rigid body. Tables call its motion 'obstacle "
-      "coupling LOAD', and what it passes on to the body 'coupling LOAD'. "
-      "Faces of bodies of revolution move along y only.");
-    prm.declare_entry("Axis",
-                      "",
-                      Anything(),
-                      "Direction of the axis of a centrifugal load in space. "
-                      "Empty: z. In the plane the axis is z; that of bodies "
-                      "of revolution is y. [-]");
+    declare_place(prm);
     prm.declare_entry("Value",
                       "",
                       Anything(),

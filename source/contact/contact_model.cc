@@ -7,7 +7,6 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/doubled_nodes.h"
 #include "conetact/contact/equal_bodies.h"
-#include "conetact/contact/large_nodes.h"
 #include "conetact/solvers/null_space.h"
 
 #include <deal.II/base/exceptions.h>
@@ -120,8 +119,8 @@ namespace conetact::contact
     // What slides far has other rows over the same bodies in each increment.
     // Mechanisms are found in a stiffness only, which there is where contacts
     // see all motions; it serves those that are some.
-    return pairs || points.slide() || points.have_prescribed_slip() ||
-           points.share_nodes() ||
+    return pairs || points.slide() || points.traits().has_prescribed_slip ||
+           points.traits().shares_nodes ||
            (may_be_mechanism() ?
               motions.unseen().cols() > 0 ||
                 (motions.n_free() > 0 && moves_as_rigid_only()) :
@@ -278,12 +277,6 @@ namespace conetact::contact
   ContactModel::estimate_factor() const
   {
     return estimate_condensed(*this, condenser);
-  }
-
-  double
-  ContactModel::hardest_slave() const
-  {
-    return contact::hardest_slave(elastic, coordinates, points);
   }
 
   void

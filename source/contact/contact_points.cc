@@ -134,7 +134,7 @@ namespace conetact::contact
       if (node.is_bound())
         continue;
       else if (bound.hold(node)) // its gap cannot change: no unknown
-        ++n_held_normals;
+        ++found_traits.n_held;
       else if (const std::string why = add(node, times); !why.empty())
         return why;
     n_candidates = points.size();
@@ -164,9 +164,9 @@ namespace conetact::contact
     AssertDimension(nodes.size(), bodies.contact_nodes.size());
     const solvers::ContactSystem before =
       std::exchange(contact_layout, solvers::ContactSystem());
-    found_again    = std::move(nodes);
-    n_held_normals = 0;
-    n_all          = 0;
+    found_again         = std::move(nodes);
+    found_traits.n_held = 0;
+    n_all               = 0;
     points.clear();
     const std::string why = add_all(times);
     bool same             = why.empty() && contact_layout.first == before.first;
@@ -357,7 +357,7 @@ namespace conetact::contact
     // Its gap cannot change by deformation: no unknown.
     if (is_spanned(node.n, held))
       {
-        ++n_held_normals;
+        ++found_traits.n_held;
         return {};
       }
     if (!is_across(node.n, held))
@@ -367,7 +367,8 @@ namespace conetact::contact
     point.node = &node;
     const bool slides =
       rule != nullptr && slides_along_supports(*rule, node, times);
-    prescribed_slip          = prescribed_slip || slides;
+    found_traits.has_prescribed_slip =
+      found_traits.has_prescribed_slip || slides;
     const std::size_t n_left = bodies.dim - 1 - (slides ? 0 : held.size());
     if (n_left == 2)
       add_both_tangents(point);
@@ -451,6 +452,6 @@ namespace conetact::contact
       }
     for (const ContactPoint &point : points)
       if (!nodes.insert({point.node->body, point.node->node}).second)
-        shared_nodes = true;
+        found_traits.shares_nodes = true;
   }
 } // namespace conetact::contact

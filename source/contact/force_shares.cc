@@ -168,7 +168,7 @@ namespace conetact::contact
     Assert(r.size() >= points.n_unknowns(),
            dealii::ExcMessage("Each candidate has a reaction."));
     // Alone on its obstacle no node can exchange anything, as in most scenes.
-    if (!points.share_nodes() &&
+    if (!points.traits().shares_nodes &&
         std::all_of(points.begin(),
                     points.end(),
                     [](const ContactPoint &point) {

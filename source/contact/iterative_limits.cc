@@ -180,7 +180,7 @@ namespace conetact::contact
       return "wants each node in one tie or bilateral contact, and that at " +
              to_text(node->position) + " of " + bodies.called(node->body) +
              " is in several";
-    if (points.have_prescribed_slip())
+    if (points.traits().has_prescribed_slip)
       return "knows no friction along what supports hold";
     if (has_tangled_means(bodies, points, with_axes, supports))
       return "knows means over nodes of a mortar surface only where they "

@@ -138,4 +138,39 @@ namespace conetact::contact
             f[first[cut.body] + c] -= tension * cut.axis[c];
         }
   }
+
+
+
+  Eigen::VectorXd
+  prestress_forces(const model::Bodies &bodies)
+  {
+    std::vector<Eigen::Index> offset = {0};
+    for (const bodies::Structure *structure : bodies.structures)
+      offset.push_back(offset.back() + structure->n_dofs());
+    Eigen::VectorXd forces; // empty: none
+    const auto      add = [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &force) {
+      if (forces.size() == 0)
+        forces.setZero(offset.back());
+      for (unsigned int c = 0; c < bodies.dim; ++c)
+        forces[offset[body] +
+               node * static_cast<Eigen::Index>(
+                        bodies.structures[body]->n_components()) +
+               c] += force[c];
+    };
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (node.prestress > 0)
+        {
+          pairing::for_each_side(node,
+                                 [&](const unsigned int body,
+                                     const unsigned int i,
+                                     const double       weight) {
+                                   add(body,
+                                       i,
+                                       -weight * node.prestress * node.n);
+                                 });
+        }
+    return forces;
+  }
 } // namespace conetact::contact

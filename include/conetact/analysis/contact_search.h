@@ -4,8 +4,8 @@
 #ifndef conetact_analysis_contact_search_h
 #define conetact_analysis_contact_search_h
 
+#include "conetact/analysis/contact_passages.h"
 #include "conetact/analysis/pending_increment.h"
-#include "conetact/pairing/sliding.h"
 
 #include <vector>
 
@@ -21,6 +21,11 @@ namespace conetact::analysis
     ContactSearch(const pairing::SlidingContacts &contacts,
                   contact::ContactModel          &model);
 
+    const pairing::SlidingContacts &
+    sliding_contacts() const
+    {
+      return contacts;
+    }
     /** Whether some contact slides far, or some body turns. */
     bool
     is_needed() const
@@ -35,37 +40,14 @@ namespace conetact::analysis
     std::string
     turns_too_far(const double t) const;
 
-    /**
-     * Whether an obstacle or a body passes through another body on the way to
-     * displacements u at time t, a sentence; empty: none does. Where the
-     * increment may be cut, what may only have gone round an edge is doubted,
-     * too.
-     */
+    /** What happens on the way to displacements u at time t; see
+     * ContactPassages. */
     std::string
     passes_through(const Eigen::VectorXd &u,
                    const double           t,
                    const bool             may_be_cut);
-    /** The same of bodies: whether a node has passed the faces that it met. */
     std::string
     loses_masters(const Eigen::VectorXd &u) const;
-
-    /**
-     * Whether an obstacle, smaller than cells, or a master has come in between
-     * nodes at displacements u and time t, a sentence; empty: none has.
-     */
-    std::string
-    comes_between(const Eigen::VectorXd &u, const double t);
-    /**
-     * Whether an obstacle presses on a node along a direction that its body
-     * does not face, a sentence; empty: nowhere.
-     */
-    std::string
-    meets_askew(const PendingIncrement &increment) const;
-
-    /** Between where a node is pressed from and the normals of its body [rad].
-     */
-    double
-    angle_to_body(const pairing::ContactNode &node) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
     using Found = pairing::SlidingContacts::Found;
@@ -119,13 +101,13 @@ namespace conetact::analysis
     double
     time() const
     {
-      return start_t;
+      return start.t;
     }
     /** Contacts as they were then. */
     const Nodes &
     accepted() const
     {
-      return start_nodes;
+      return start.nodes;
     }
     /** Bodies stand where they stood then. */
     void
@@ -139,36 +121,6 @@ namespace conetact::analysis
     restore(const Archive &archive, contact::ContactHistory &history);
 
   private:
-    using Ways = std::vector<pairing::BodyWay>;
-    Ways
-    ways_to(const Eigen::VectorXd &u) const;
-    std::string
-    obstacle_passes(const Ways  &ways,
-                    const double t,
-                    const bool   may_be_cut) const;
-    std::string
-    body_passes(const Ways            &ways,
-                const Eigen::VectorXd &u,
-                const bool             may_be_cut);
-    /** A face, or a part of it, whose corners may all touch an obstacle. */
-    struct ObstacleFace
-    {
-      std::size_t               node; ///< one of them, among contact nodes
-      std::vector<unsigned int> corners;
-    };
-    void
-    find_obstacle_faces();
-    /** At time t, of the points of a face of this size. */
-    double
-    lowest_gap(const ObstacleFace                           &face,
-               const pairing::SlidingContacts::Displacement &at,
-               const double                                  size,
-               const double                                  t) const;
-    using Places = std::vector<Tensor<1, 3>>; ///< of all nodes of all bodies
-    double
-    approach(const Places &from, const Places &to) const;
-    std::string
-    master_comes_between(const Eigen::VectorXd &u, const double deep);
     Found
     find_there(const Eigen::VectorXd &u,
                const double           t,
@@ -176,17 +128,12 @@ namespace conetact::analysis
     Found
     linearised(Found found) const;
 
-    pairing::SlidingContacts          contacts;
-    contact::ContactModel            &model;
-    Eigen::VectorXd                   start; ///< displacements of all dofs
-    double                            start_t = 0;
-    std::vector<pairing::RigidMotion> frames; ///< of bodies, then
-    Nodes                             start_nodes;
-    /// nodes in other bodies, then and at the end that was looked at last
-    pairing::SlidingContacts::Entries start_inside, inside;
-    std::vector<ObstacleFace>         obstacle_faces;
-    Places clear_at;      ///< displacements where masters were looked for last
-    double clearance = 0; ///< so far none was too deep in a slave [length]
+    pairing::SlidingContacts contacts;
+    contact::ContactModel   &model;
+    ContactPassages          passages;
+    ContactStart             start;
+    /// nodes in other bodies at the end that was looked at last
+    pairing::SlidingContacts::Entries inside;
   };
 } // namespace conetact::analysis
 

@@ -5,6 +5,7 @@
 #define conetact_analysis_increment_analysis_h
 
 #include "conetact/analysis/analysis.h"
+#include "conetact/analysis/between_nodes.h"
 #include "conetact/analysis/increment_parts.h"
 #include "conetact/analysis/increment_solver.h"
 #include "conetact/analysis/settling.h"
@@ -112,6 +113,7 @@ namespace conetact::analysis
     IncrementParts      parts; ///< of the one that is next
     IncrementSolver     solver;
     Settling            settling;
+    BetweenNodes        between;
     WearComparison      wear;
     std::vector<double> held_in_stage; ///< nodes, with what they remember
     bool in_parts = false; ///< increments that are too large to be condensed

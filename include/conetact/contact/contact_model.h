@@ -76,10 +76,6 @@ namespace conetact::contact
     bool
     may_be_mechanism() const;
 
-    /** See hardest_slave() of large_nodes.h. */
-    double
-    hardest_slave() const;
-
     /** The elastic answer of the bodies; factorises the first time. */
     Elasticity &
     elasticity();

@@ -195,23 +195,17 @@ namespace conetact::contact
     bool
     slide() const;
 
-    /** Number of contact nodes whose normal is held by a support. */
-    unsigned int
-    n_held() const
+    /** What supports and other contacts do to contact nodes. */
+    struct Traits
     {
-      return n_held_normals;
-    }
-    /** Whether a node has unknowns along what supports hold. */
-    bool
-    have_prescribed_slip() const
+      unsigned int n_held = 0; ///< nodes whose normal a support holds
+      bool         has_prescribed_slip = false; ///< along what supports hold
+      bool         shares_nodes        = false; ///< a node has several points
+    };
+    const Traits &
+    traits() const
     {
-      return prescribed_slip;
-    }
-    /** Whether a node has several points. */
-    bool
-    share_nodes() const
-    {
-      return shared_nodes;
+      return found_traits;
     }
 
   private:
@@ -238,9 +232,7 @@ namespace conetact::contact
     std::size_t                       n_candidates = 0;
     Eigen::Index                      n_all        = 0;
     solvers::ContactSystem            contact_layout;
-    unsigned int                      n_held_normals  = 0;
-    bool                              prescribed_slip = false;
-    bool                              shared_nodes    = false;
+    Traits                            found_traits;
   };
 } // namespace conetact::contact
 

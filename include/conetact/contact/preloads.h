@@ -38,6 +38,11 @@ namespace conetact::contact
                      const model::Bodies                 &bodies,
                      const double                         t,
                      Eigen::VectorXd                     &f);
+
+  /** Prestress of all contacts, on all dofs of all bodies [force]; empty: there
+   * is none. */
+  Eigen::VectorXd
+  prestress_forces(const model::Bodies &bodies);
 } // namespace conetact::contact
 
 #endif

@@ -22,8 +22,8 @@ TEST(ContactPoints, TangentsFirstTheNormalLast)
   ASSERT_EQ(points.size(), 2);
   EXPECT_EQ(points.layout().first, (std::vector<Eigen::Index>{0, 2, 4}));
   EXPECT_NEAR(points.layout().mu[1], .3, 1e-15);
-  EXPECT_FALSE(points.share_nodes());
-  EXPECT_FALSE(points.have_prescribed_slip());
+  EXPECT_FALSE(points.traits().shares_nodes);
+  EXPECT_FALSE(points.traits().has_prescribed_slip);
   for (const ContactPoint &point : points)
     {
       ASSERT_EQ(point.directions.size(), 2);
@@ -66,8 +66,8 @@ TEST(ContactPoints, AHeldNormalHasNoPoint)
     test::section("Support roller", roller));
   const NodeRules     rules(scene->bodies, {1});
   const ContactPoints points(scene->bodies, rules, {1});
-  EXPECT_EQ(points.n_held(), 2); // of the floor
-  ASSERT_EQ(points.size(), 2);   // of the wall
+  EXPECT_EQ(points.traits().n_held, 2); // of the floor
+  ASSERT_EQ(points.size(), 2);          // of the wall
   // and the roller holds their tangent: the normal is left
   EXPECT_EQ(points.layout().first, (std::vector<Eigen::Index>{0, 1, 2}));
   expect_near(points[std::size_t(0)].directions[0], vector(1, 0));

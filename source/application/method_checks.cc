@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What a scene means for a load path: stages, prestress, refusals.
+// What methods of solution do not know.
 
-#include "conetact/application/scene.h"
+#include "conetact/application/method_checks.h"
+
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
@@ -55,73 +56,71 @@ namespace conetact::application
                          expressions.end(),
                          [](const Expression &e) { return e.uses_time(); });
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /** Newton's method knows all laws, others those of cones. */
     bool
     is_newton(const std::string &method)
     {
       return method == "automatic" || method == "active set";
     }
+
+    void
+    refuse_joints_of_other_methods(const SceneObjects &scene,
+                                   const RunSettings  &settings)
+    {
+      for (const pairing::Contact &contact : scene.contacts)
+        if (settings.path.follows ?
+              contact.spring || contact.may_part() :
+              contact.is_joined() && !is_newton(settings.solver.method))
+          throw InputError(
+            "Contact '" + contact.name +
+            "', Kind: Solver/Method "
+            "= " +
+            (settings.path.follows ? "load path" : settings.solver.method) +
+            " knows no springs and no ties that begin or end. "
+            "Choose automatic.");
+    }
   } // namespace
 
+
+
   void
-  Scene::refuse_joints_of_other_methods() const
+  settle_friction(const SceneObjects &scene, RunSettings &settings)
   {
-    for (const pairing::Contact &contact : contacts)
-      if (path.follows ? contact.spring || contact.may_part() :
-                         contact.is_joined() && !is_newton(solver.method))
-        throw InputError("Contact '" + contact.name +
-                         "', Kind: Solver/Method "
-                         "= " +
-                         (path.follows ? "load path" : solver.method) +
-                         " knows no springs and no ties that begin or end. "
-                         "Choose automatic.");
-  }
-
-
-
-  /* Friction that changes is one of increments; their parts have no speed. */
-  void
-  Scene::settle_friction()
-  {
-    for (const pairing::Contact &contact : contacts)
+    for (const pairing::Contact &contact : scene.contacts)
       if (contact.friction->uses_speed() ||
           (contact.layer && contact.layer->uses_speed()) || contact.bond ||
           contact.fluid || contact.is_joined())
-        solver.max_substeps = 1;
-    refuse_joints_of_other_methods();
-    for (const pairing::Contact &contact : contacts)
-      if ((contact.bond || contact.fluid) && !is_newton(solver.method) &&
-          !path.follows)
+        settings.solver.max_substeps = 1;
+    refuse_joints_of_other_methods(scene, settings);
+    for (const pairing::Contact &contact : scene.contacts)
+      if ((contact.bond || contact.fluid) &&
+          !is_newton(settings.solver.method) && !settings.path.follows)
         throw InputError("Contact '" + contact.name + "', " +
                          (contact.bond ? "Cohesion" : "Penetrating pressure") +
-                         ": Solver/Method = " + solver.method +
+                         ": Solver/Method = " + settings.solver.method +
                          " knows coefficients of friction only. Choose "
                          "automatic.");
     std::map<unsigned int, double> areas; // of contacts that need them
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
-      if (node.friction && path.follows)
-        throw InputError("Contact '" + contacts[node.contact].name +
+    for (const pairing::ContactNode &node : scene.bodies.contact_nodes)
+      if (node.friction && settings.path.follows)
+        throw InputError("Contact '" + scene.contacts[node.contact].name +
                          "', Friction coefficient: Solver/Method = load path "
                          "follows events of cones that stay the same. Let it "
                          "depend on x, y, z only, without Shear limit, Active, "
                          "Compliance and wear, or choose another method. "
                          "Neither does it know a Penetrating pressure.");
       else if (node.friction && node.friction->is_elliptic() &&
-               !is_newton(solver.method))
-        throw InputError(
-          "Contact '" + contacts[node.contact].name +
-          "', Second friction coefficient: Solver/Method = " + solver.method +
-          " knows ellipses that stay the same only, without "
-          "layers, fluids or Active. Choose automatic.");
+               !is_newton(settings.solver.method))
+        throw InputError("Contact '" + scene.contacts[node.contact].name +
+                         "', Second friction coefficient: Solver/Method = " +
+                         settings.solver.method +
+                         " knows ellipses that stay the same only, without "
+                         "layers, fluids or Active. Choose automatic.");
       else if (node.friction && node.friction->is_elliptic() &&
-               !(fclib_increments.empty() && text_increments.empty()))
-        throw InputError("Contact '" + contacts[node.contact].name +
+               !(settings.fclib_increments.empty() &&
+                 settings.text_increments.empty()))
+        throw InputError("Contact '" + scene.contacts[node.contact].name +
                          "', Second friction coefficient: files of increments "
                          "(FCLib, Text) have cones, and an ellipse that varies "
                          "is none. Leave these entries of Output empty.");
@@ -129,7 +128,7 @@ namespace conetact::application
         areas[node.contact] += node.outward.empty() ? 0. : node.area;
     for (const auto &[contact, area] : areas)
       if (area == 0)
-        throw InputError("Contact '" + contacts[contact].name +
+        throw InputError("Contact '" + scene.contacts[contact].name +
                          "', Friction coefficient: pressure p, Shear limit, "
                          "Compliance and wear need areas, which the nodes of "
                          "this contact do not have: they are points of frames. "
@@ -139,53 +138,54 @@ namespace conetact::application
 
 
   void
-  Scene::check_path() const
+  check_path(const SceneObjects &scene, const RunSettings &settings)
   {
-    if (adaptive.cycles > 0 && path.follows)
+    if (settings.adaptive.cycles > 0 && settings.path.follows)
       throw InputError("Adaptive refinement: the Solver/Method of this scene "
                        "follows a path on one mesh. Set it to 0, or choose "
                        "another method.");
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
-      if (node.cohesion > 0 && bodies.dim == 3)
-        throw InputError("Contact '" + contacts[node.contact].name +
+    for (const pairing::ContactNode &node : scene.bodies.contact_nodes)
+      if (node.cohesion > 0 && scene.bodies.dim == 3)
+        throw InputError("Contact '" + scene.contacts[node.contact].name +
                          "', Cohesion: a load path knows cohesion in 2D only. "
                          "Leave it 0, or choose another Solver/Method.");
-    if (!path.follows)
+    if (!settings.path.follows)
       {
-        if (path.law == load_path::PathLaw::holonomic)
+        if (settings.path.law == load_path::PathLaw::holonomic)
           throw InputError("Solver/Law: the holonomic law is one of "
                            "Method = load path. Choose that method, or "
                            "Law = incremental.");
         return;
       }
-    if (bodies.dim == 3 && path.law == load_path::PathLaw::holonomic)
+    if (scene.bodies.dim == 3 &&
+        settings.path.law == load_path::PathLaw::holonomic)
       throw InputError("Solver/Law: the holonomic law is for 2D. Choose "
                        "incremental.");
-    if (bodies.contact_nodes.empty())
+    if (scene.bodies.contact_nodes.empty())
       throw InputError("Solver/Method: a load path follows contact states, but "
                        "the scene has no contact. Choose automatic.");
-    for (const bodies::Load &load : loads)
+    for (const bodies::Load &load : scene.loads)
       if (load.is_rigid)
         throw InputError("Load '" + load.name +
                          "', Coupling: a load path knows no rigid couplings. "
                          "Choose Coupling = distributing, or Solver/Method = "
                          "automatic.");
-    for (const pairing::Obstacle &obstacle : obstacles)
+    for (const pairing::Obstacle &obstacle : scene.obstacles)
       if (obstacle.free.any() || obstacle.turn)
         throw InputError(
           "Obstacle '" + obstacle.name + "', " +
           (obstacle.turn ? "Turn" : "Free") +
           ": a load path knows obstacles that translate as prescribed. Remove "
           "the entry, or choose Solver/Method = automatic.");
-    for (const pairing::Contact &contact : contacts)
+    for (const pairing::Contact &contact : scene.contacts)
       if (contact.preload)
         throw InputError("Contact '" + contact.name +
                          "', Preload: a load path knows no ties that are "
                          "tightened. Choose Solver/Method = automatic.");
-    if (judges_uniqueness)
+    if (settings.judges_uniqueness)
       throw InputError("Output/Uniqueness: a load path follows one solution. "
                        "Set it to no, or choose Solver/Method = automatic.");
-    if (!fclib_increments.empty())
+    if (!settings.fclib_increments.empty())
       throw InputError("Output/FCLib increments: a load path has no increments "
                        "of its own. Leave it empty.");
   }
@@ -193,13 +193,15 @@ namespace conetact::application
 
 
   void
-  Scene::check_stages() const
+  check_linear_stages(const SceneObjects        &scene,
+                      const std::vector<double> &times)
   {
-    for (const bodies::Load &load : loads)
+    for (const bodies::Load &load : scene.loads)
       {
         if (!load.uses_time())
           continue;
-        const bodies::Structure &structure = *bodies.structures[load.body];
+        const bodies::Structure &structure =
+          *scene.bodies.structures[load.body];
         check_linear(times,
                      "Load '" + load.name + "', Value",
                      [&](const double t) {
@@ -209,7 +211,7 @@ namespace conetact::application
                        return f;
                      });
       }
-    for (const bodies::Support &support : bodies.supports)
+    for (const bodies::Support &support : scene.bodies.supports)
       {
         const auto &nodes = support.surface.nodes;
         const auto  check = [&](const Expression  &expression,
@@ -230,14 +232,14 @@ namespace conetact::application
         for (const bodies::Support::Rotation &rotation : support.rotations)
           check(rotation.angle, "Rotation");
       }
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
+    for (const pairing::ContactNode &node : scene.bodies.contact_nodes)
       if (node.growth)
         check_linear(times,
-                     "Contact '" + contacts[node.contact].name + "', Gap",
+                     "Contact '" + scene.contacts[node.contact].name + "', Gap",
                      [&](const double t) {
                        return Eigen::Matrix<double, 1, 1>(node.growth(t));
                      });
-    for (const pairing::Obstacle &obstacle : obstacles)
+    for (const pairing::Obstacle &obstacle : scene.obstacles)
       if (moves(obstacle.displacement))
         check_linear(times,
                      "Obstacle '" + obstacle.name + "', Displacement",
@@ -249,36 +251,40 @@ namespace conetact::application
 
 
 
-  Eigen::VectorXd
-  Scene::prestress() const
+  void
+  check_turning_supports(const SceneObjects &scene, const RunSettings &settings)
   {
-    std::vector<Eigen::Index> offset = {0};
-    for (const bodies::Structure *structure : bodies.structures)
-      offset.push_back(offset.back() + structure->n_dofs());
-    Eigen::VectorXd forces; // empty: none
-    const auto      add = [&](const unsigned int  body,
-                         const unsigned int  node,
-                         const Tensor<1, 3> &force) {
-      if (forces.size() == 0)
-        forces.setZero(offset.back());
-      for (unsigned int c = 0; c < bodies.dim; ++c)
-        forces[offset[body] +
-               node * static_cast<Eigen::Index>(
-                        bodies.structures[body]->n_components()) +
-               c] += force[c];
-    };
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
-      if (node.prestress > 0)
-        {
-          pairing::for_each_side(node,
-                                 [&](const unsigned int body,
-                                     const unsigned int i,
-                                     const double       weight) {
-                                   add(body,
-                                       i,
-                                       -weight * node.prestress * node.n);
-                                 });
-        }
-    return forces;
+    for (const bodies::Support &support : scene.bodies.supports)
+      if (support.turn &&
+          (settings.path.follows || settings.adaptive.cycles > 0))
+        throw InputError("Support '" + support.name +
+                         "', Turn: load paths and adaptive meshes are for "
+                         "bodies that turn little. Leave Turn 0, or choose "
+                         "another Solver/Method and Adaptive refinement = 0.");
+  }
+
+
+
+  void
+  check_preloads(const SceneObjects &scene, const std::vector<double> &times)
+  {
+    for (const pairing::Contact &contact : scene.contacts)
+      {
+        if (!contact.preload || !contact.preload->locked_from)
+          continue;
+        const double      from = *contact.preload->locked_from;
+        const std::string in =
+          "Contact '" + contact.name + "', Preload locked from: ";
+        if (from <= 0)
+          throw InputError(in + "the force acts up to t = " + to_text(from) +
+                           ", which is never. Give the end of the increment "
+                           "in which it has tightened the bolt.");
+        if (!times.empty() && from < times.back() &&
+            std::none_of(times.begin(), times.end(), [from](const double t) {
+              return std::abs(t - from) <= 1e-12 * std::abs(from);
+            }))
+          throw InputError(in + "no increment ends at t = " + to_text(from) +
+                           ". Give the end of one, or choose other Times.");
+      }
   }
 } // namespace conetact::application

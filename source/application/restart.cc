@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A scene that goes on where a run has ended: what may differ, and from when.
+#include "conetact/application/restart.h"
 
-#include "conetact/application/scene.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
@@ -86,24 +85,53 @@ namespace conetact::application
     constexpr const char *what_may_differ =
       " Supports, loads, motions of obstacles, times, solver and output may "
       "differ from the run that is continued, nothing else.";
+
+    void
+    refuse_changes(const Restart &run, const std::string &values)
+    {
+      const Entries then = entries_of(run.state.get_text("scene"));
+      const Entries now  = entries_of(values);
+      Entries       both = then;
+      both.insert(now.begin(), now.end());
+      for (const auto &[entry, value] : both)
+        if ((must_stay(entry) || must_stay(entry, then, now)) &&
+            value_in(then, entry) != value_in(now, entry))
+          throw InputError(
+            "Option --restart: " + entry + " was '" + value_in(then, entry) +
+            "' in " + run.folder.string() + " and is '" + value_in(now, entry) +
+            "' here." + what_may_differ +
+            (must_stay(entry) ? "" :
+                                " Of a load with Coupling = rigid "
+                                "these are its Kind, its Value "
+                                "and when it is Active."));
+      for (const auto &[entry, value] : then)
+        if (entry.rfind("Support ", 0) == 0 && !value.empty() &&
+            entry.substr(entry.find('/')) == "/Stiffness" &&
+            value_in(now, entry) != value)
+          throw InputError(
+            "Option --restart: " + entry + " was '" + value + "' in " +
+            run.folder.string() +
+            ". Springs hold energy of the run that is continued: "
+            "keep that support as it was.");
+    }
   } // namespace
 
 
 
   void
-  Scene::refuse_checkpoints() const
+  refuse_checkpoints(const RunSettings &settings)
   {
-    if (checkpoint_every == 0)
+    if (settings.checkpoint_every == 0)
       return;
-    if (path.follows)
+    if (settings.path.follows)
       throw InputError("Output, Checkpoint: a load path cannot be continued, "
                        "for its follower keeps more than a state. Set it to 0, "
                        "or choose another Solver/Method.");
-    if (follows_branches)
+    if (settings.follows_branches)
       throw InputError("Output, Checkpoint: Solver/Method = all solutions "
                        "keeps more than one state. Set it to 0, or choose "
                        "another Solver/Method.");
-    if (adaptive.cycles > 0)
+    if (settings.adaptive.cycles > 0)
       throw InputError("Output, Checkpoint: a scene with Adaptive refinement "
                        "runs its history on several meshes and cannot be "
                        "continued. Set one of them to 0.");
@@ -111,44 +139,16 @@ namespace conetact::application
 
 
 
-  void
-  Scene::refuse_changes(const Restart &run) const
-  {
-    const Entries then = entries_of(run.state.get_text("scene"));
-    const Entries now  = entries_of(values());
-    Entries       both = then;
-    both.insert(now.begin(), now.end());
-    for (const auto &[entry, value] : both)
-      if ((must_stay(entry) || must_stay(entry, then, now)) &&
-          value_in(then, entry) != value_in(now, entry))
-        throw InputError("Option --restart: " + entry + " was '" +
-                         value_in(then, entry) + "' in " + run.folder.string() +
-                         " and is '" + value_in(now, entry) + "' here." +
-                         what_may_differ +
-                         (must_stay(entry) ? "" :
-                                             " Of a load with Coupling = rigid "
-                                             "these are its Kind, its Value "
-                                             "and when it is Active."));
-    for (const auto &[entry, value] : then)
-      if (entry.rfind("Support ", 0) == 0 && !value.empty() &&
-          entry.substr(entry.find('/')) == "/Stiffness" &&
-          value_in(now, entry) != value)
-        throw InputError("Option --restart: " + entry + " was '" + value +
-                         "' in " + run.folder.string() +
-                         ". Springs hold energy of the run that is continued: "
-                         "keep that support as it was.");
-  }
-
-
-
-  void
-  Scene::continue_from(const std::filesystem::path &folder)
+  Restart
+  continue_from(const std::filesystem::path &folder,
+                const std::string           &values,
+                RunSettings                 &settings)
   {
     const std::filesystem::path kept = folder / "checkpoint.bin";
-    if (path.follows)
+    if (settings.path.follows)
       throw InputError("Option --restart: a load path cannot be continued. "
                        "Run the scene from its start.");
-    if (adaptive.cycles > 0)
+    if (settings.adaptive.cycles > 0)
       throw InputError("Option --restart: a scene with Adaptive refinement "
                        "cannot be continued. Run it from its start.");
     std::error_code no_path;
@@ -158,12 +158,12 @@ namespace conetact::application
                        ". Give the folder of results of a run with "
                        "Output/Checkpoint = 1 or more.");
     Restart run{folder, Archive::read(kept)};
-    refuse_changes(run);
+    refuse_changes(run, values);
     std::vector<double> all = run.state.get("times");
     refuse_disorder(all, kept);
     run.n_done           = static_cast<unsigned int>(all.size());
     const double reached = all.back();
-    for (const double t : times)
+    for (const double t : settings.times)
       if (t > reached * (1 + 1e-12))
         all.push_back(t);
     if (all.size() == run.n_done)
@@ -171,7 +171,7 @@ namespace conetact::application
                        " has reached t = " + to_text(reached) +
                        ", and the scene has no increment after that. Choose a "
                        "larger End and more Increments, or Times beyond.");
-    times   = std::move(all);
-    restart = std::move(run);
+    settings.times = std::move(all);
+    return run;
   }
 } // namespace conetact::application
