@@ -90,6 +90,8 @@ namespace conetact::pairing
     return strength_at(shear, at, where + "Cohesion");
   }
 
+  /** What is left of T and c: 1 - w / l, with the softening length l and the
+   * way w, which is the opening or sqrt(opening^2 + slip^2). */
   double
   BondLaw::rest(const double opened,
                 const double slipped,
@@ -110,6 +112,8 @@ namespace conetact::pairing
     return rest > rounding ? rest : 0.;
   }
 
+  /** A zone that has opened by w closes along a line to 0: at a gap g it pulls
+   * by g / w of the strength that is left at w. */
   double
   BondLaw::unloading(const double gap,
                      const double opened,

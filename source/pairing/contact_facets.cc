@@ -30,6 +30,7 @@ namespace conetact::pairing
       master = facets_of(*structures[contact.master], contact.master_ids);
   }
 
+  /** The sagitta of the facets that a node meets. */
   double
   ContactFacets::of_other_side(const ContactNode &node) const
   {

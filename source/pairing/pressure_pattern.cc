@@ -49,12 +49,15 @@ namespace conetact::pairing
     return plane ? around.n_faces == 2 : around.n_faces == around.nodes.size();
   }
 
+  /** Looks for two neighbours about opposite to each other, between which a
+   * node is pressed clearly less than either. */
   bool
   PressurePattern::is_pit(const unsigned int node,
                           const double       own,
                           const Pressures   &pressures) const
   {
-    // Meshes of a face in space have no lines: more may be by chance there.
+    // A node in a pit has less than this part of the pressure of both. Meshes
+    // of a face in space have no lines of nodes: more may be by chance there.
     const double     deep     = plane ? .6 : .4;
     constexpr double opposite = -.7; // cosine
     const auto      &around   = neighbours.at(node).nodes;

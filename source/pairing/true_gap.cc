@@ -14,7 +14,7 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** More than a free obstacle turns by rounding. */
+    /** Tells whether an obstacle turns by more than rounding. */
     bool
     is_turned(const RigidMotion &motion)
     {
@@ -33,7 +33,8 @@ namespace conetact::pairing
                                       moved.motion.relative(node.position,
                                                             moved.u),
                                       node.spacing);
-    // of a mean over faces: as at its own node, but for what they differ by
+    // A mean over faces is off by what its gap differs from that of its own
+    // node at the start.
     return drawn + gap_beside_own(node) +
            (node.growth ? node.growth(0) : 0); // as adjusted
   }
