@@ -70,6 +70,8 @@ namespace conetact::pairing
       strained.push_back(Tensor<1, 3>(to[i]) - Q * Tensor<1, 3>(start[i]) - b);
   }
 
+  /** x(s) = c + Q(s angle) (X - c) + s (along + strained), which is exact at
+   * both ends. */
   Point<3>
   BodyWay::at(const unsigned int node, const double part) const
   {

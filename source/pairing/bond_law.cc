@@ -90,8 +90,11 @@ namespace conetact::pairing
     return strength_at(shear, at, where + "Cohesion");
   }
 
-  /** What is left of T and c: 1 - w / l, with the softening length l and the
-   * way w, which is the opening or sqrt(opening^2 + slip^2). */
+  /**
+   * The part 1 - w / l of T and c that is left, with the softening length l and
+   * the way w, which is the opening or sqrt(opening^2 + slip^2). So the energy
+   * of fracture is half the strength times l.
+   */
   double
   BondLaw::rest(const double opened,
                 const double slipped,

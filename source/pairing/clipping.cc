@@ -51,7 +51,7 @@ namespace conetact::pairing
           const Point<2> &p  = polygon[i];
           const Point<2> &q  = polygon[(i + 1) % polygon.size()];
           const double    at = side(p), next = side(q);
-          // What lies on the line belongs to both sides.
+          // A point on the line belongs to both sides.
           if (at >= 0)
             halves.left.push_back(p);
           if (at <= 0)
@@ -80,8 +80,8 @@ namespace conetact::pairing
               const Polygon        &taken,
               std::vector<Polygon> &pieces)
     {
-      // What touches along an edge leaves two points, which are no interval
-      // here.
+      // Polygons that touch along an edge leave two points, which are no
+      // interval here.
       const auto keep = [&](const Polygon &piece) {
         if (is_interval(piece) == is_interval(polygon) &&
             measure(piece) > round_off * measure(polygon))
@@ -93,8 +93,8 @@ namespace conetact::pairing
           keep(interval(std::max(polygon[0][0], taken[1][0]), polygon[1][0]));
           return;
         }
-      // What is right of an edge of the convex polygon that is taken, and left
-      // of those before it: convex pieces that do not overlap.
+      // Pieces are right of an edge of the convex polygon that is taken, and
+      // left of those before it: they are convex and do not overlap.
       Polygon rest = polygon;
       for (std::size_t i = 0; i < taken.size() && rest.size() > 2; ++i)
         {

@@ -96,8 +96,8 @@ namespace conetact::pairing
                 const Tensor<1, 3>          &miss)
     {
       const auto g = face_tangents(x, at);
-      // Of the second derivatives of a bilinear face only the mixed one is not
-      // zero; it is the same everywhere.
+      // The mixed second derivative of a bilinear face is the only one that is
+      // not zero; it is the same everywhere.
       const Tensor<1, 3> twist = (x[3] - x[2]) - (x[1] - x[0]);
       const double       g00 = g[0] * g[0], g11 = g[1] * g[1];
       const double       m0 = miss * g[0], m1 = miss * g[1];

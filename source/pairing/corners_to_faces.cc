@@ -169,11 +169,13 @@ namespace conetact::pairing
       {
         ContactNode node = one_by_one.free_node(s);
         node.master      = contact.master;
+        // Nodes beside the master are left out: weights are parts of the sum of
+        // those that have a foot.
         node.masters     = weights_of(mean.masters, mean.sum);
         node.slaves      = weights_of(mean.slaves, mean.sum);
         node.n           = own.normal;
         node.mean_cosine = bounded_cosine(mean.cosine / mean.sum);
-        // a uniform pressure does the work of the whole area
+        // A uniform pressure does the work of the area that is over the master.
         node.area = area * mean.sum / node.mean_cosine;
         node.gap  = contact.gap ?
                       node.mean_cosine * one_by_one.prescribed_gap(node) :
@@ -190,7 +192,7 @@ namespace conetact::pairing
       MortarRows                                          rows;
       double                                              thickness;
       std::map<unsigned int, const bodies::SurfaceNode *> nodes_of_surface;
-      /** By the node and the side of its edge. */
+      /** Feet are numbered by their node and the side of its edge. */
       std::map<std::pair<unsigned int, std::size_t>,
                std::optional<MasterSurface::Foot>>
         feet;

@@ -22,7 +22,7 @@ namespace conetact::pairing
     using Shape   = std::unique_ptr<ObstacleShape>;
 
     /**
-     * What is nearer to a feature than this part of the coordinates is on it.
+     * A point nearer to a feature than this part of the coordinates is on it.
      */
     constexpr double on_feature = 1e-12;
 
@@ -140,6 +140,9 @@ namespace conetact::pairing
       Closest
       closest(const Point<3> &p, const double) const override
       {
+        // The signed distance of a box is |max(b, 0)| outside and the largest
+        // component of b inside, with b = |q| - half, `beyond`, in its own
+        // axes.
         const Tensor<1, 3> q = transpose(rotation) * (p - centre);
         const double on = on_feature * (half.norm() + centre.norm() + p.norm());
         Tensor<1, 3> beyond, outside;

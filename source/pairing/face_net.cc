@@ -77,8 +77,9 @@ namespace conetact::pairing
           const auto  &c     = edge_corners(x.size(), edge);
           Tensor<1, 3> along = x[c[1]] - x[c[0]];
           along /= along.norm();
-          // From the opposite corners to those of the edge, without what is
-          // along it: in the plane of the face, pointing out of it.
+          // The vector from the opposite corners to those of the edge, without
+          // its part along that, is in the plane of the face and points out of
+          // it.
           across = (x[c[0]] - x[c[2]]) + (x[c[1]] - x[c[3]]);
           across -= (across * along) * along;
         }
@@ -157,7 +158,7 @@ namespace conetact::pairing
       return M_PI - std::acos(std::clamp(cosine, -1., 1.));
     }
 
-    /** What a tree needs of faces. */
+    /** The balls around faces, for a tree. */
     std::vector<FaceTree::Ball>
     balls_of(const std::vector<FaceNet::Face> &faces)
     {
@@ -238,6 +239,11 @@ namespace conetact::pairing
     return all;
   }
 
+  /**
+   * Joins faces across edges: partners have all nodes of the edge. Asking the
+   * faces at its first node alone keeps this in proportion to the number of
+   * faces.
+   */
   void
   FaceNet::join_edges()
   {
@@ -384,8 +390,8 @@ namespace conetact::pairing
     return nearest;
   }
 
-  /* By the pseudonormal it is right at edges and corners as well, where that of
-     a single face is not. */
+  /* Tells the side by the pseudonormal, which is right at edges and corners as
+     well, where the normal of a single face is not. */
   double
   FaceNet::side(const Closest &at, const Point<3> &p) const
   {

@@ -168,7 +168,8 @@ namespace conetact::pairing
           }
     }
 
-    /** Whether a facet beside it is one of the same curved surface. */
+    /** Tells whether a facet beside this one belongs to the same curved
+     * surface. */
     bool
     is_of_curve(const Facet &facet, const std::map<std::size_t, Facet> &facets)
     {
@@ -182,7 +183,7 @@ namespace conetact::pairing
                          });
     }
 
-    /** Whether the face itself follows the curve. */
+    /** Tells whether the face itself follows the curve. */
     bool
     is_bent(const FaceNet::Face &face)
     {

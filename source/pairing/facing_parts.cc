@@ -10,7 +10,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** What clipping leaves below this share of the slave face is rounding. */
+    /** Parts below this share of the slave face are what clipping leaves by
+     * rounding. */
     constexpr double sliver = 1e-14;
   } // namespace
 

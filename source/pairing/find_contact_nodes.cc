@@ -75,7 +75,8 @@ namespace conetact::pairing
           most < 0)
         throw InputError(in + "Shear limit: it is " + to_text(most) + " at " +
                          to_text(node.position) + ". Give 0 or more.");
-      // layers and wear ask for slips, with friction or without
+      // Layers and wear ask for slips, with friction or without. The node's own
+      // coefficient must be above 0 where a law gives another one.
       if (!contact.friction->is_constant() || contact.layer || contact.bond ||
           contact.fluid || contact.active || contact.spring)
         {

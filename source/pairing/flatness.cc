@@ -37,7 +37,9 @@ namespace conetact::pairing
         return parents.back();
       }
 
-      /** What meets there; nothing happens across an edge. */
+      /**
+       * Joins normals that meet in one place, unless an edge is between them.
+       */
       void
       join(const std::size_t a, const std::size_t b)
       {
@@ -56,6 +58,8 @@ namespace conetact::pairing
         for (std::size_t i = 0; i < normals.size(); ++i)
           {
             const Tensor<1, 3> &sum = sums[root(i)];
+            // The chord stands for the angle: they agree where it is small
+            // enough to matter.
             largest = std::max(largest, (normals[i] - sum / sum.norm()).norm());
           }
         return largest;

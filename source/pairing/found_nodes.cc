@@ -67,7 +67,7 @@ namespace conetact::pairing
       {"masters", &ContactNode::masters, &ContactNode::master},
       {"slaves", &ContactNode::slaves, &ContactNode::body}};
 
-    /** Of each node how many others it has, then these and their weights. */
+    /** Writes how many others each node has, then these and their weights. */
     std::vector<double>
     to_numbers(const std::vector<ContactNode> &nodes, const SideRow &side)
     {
@@ -107,7 +107,7 @@ namespace conetact::pairing
         refuse("there are weights of other contact nodes");
     }
 
-    /** What tells nodes apart, as they are at the start. */
+    /** The numbers that tell nodes apart, as they are at the start. */
     std::vector<double>
     fingerprint(const std::vector<ContactNode> &nodes)
     {

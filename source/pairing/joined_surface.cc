@@ -91,8 +91,8 @@ namespace conetact::pairing
       return result;
     }
 
-    /** Whether each edge of a face is that of one other face, which runs the
-     * other way; of lines, whether one begins where another ends. */
+    /** Tells whether each edge of a face is that of one other face, which runs
+     * the other way; of lines, whether one begins where another ends. */
     bool
     is_closed(const SurfaceFaces &mesh)
     {
@@ -124,7 +124,8 @@ namespace conetact::pairing
              });
     }
 
-    /** Whether an edge is so short that its ends are meant to be one point. */
+    /** Tells whether an edge is so short that its ends are meant to be one
+     * point. */
     bool
     has_lost_edge(const SurfaceFaces &mesh, const double size)
     {

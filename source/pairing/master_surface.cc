@@ -81,7 +81,9 @@ namespace conetact::pairing
         take(-n);
     }
 
-    /** Whether all that a node sees of a line is in the plane of x and y. */
+    /**
+     * Tells whether all that a node sees of a line is in the plane of x and y.
+     */
     bool
     is_plane(const std::vector<Point<3>>     &corners,
              const std::vector<Tensor<1, 3>> &slave_normals,
@@ -170,8 +172,8 @@ namespace conetact::pairing
   }
 
   /**
-   * From the foot to p, without what a node overhangs the rim; none if that is
-   * too much and the node stands beside the surface. Facets of a curved
+   * The arm from the foot to p, without what a node overhangs the rim; none if
+   * that is too much and the node stands beside the surface. Facets of a curved
    * surface end at an angle to it: what they miss by that is no overhang.
    */
   std::optional<Tensor<1, 3>>
@@ -194,7 +196,7 @@ namespace conetact::pairing
     return over;
   }
 
-  /** Over a face, or beyond its sharp edge by next to nothing. */
+  /** Meets a face that p is over, or a little beyond the sharp edge of. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet_face(const Feature                   &feature,
                            const Tensor<1, 3>              &arm,
@@ -224,7 +226,7 @@ namespace conetact::pairing
     return best;
   }
 
-  /** On an edge or vertex of the surface. */
+  /** Meets an edge or vertex of the surface. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet_edge(const Feature                   &feature,
                            const Tensor<1, 3>              &arm,
@@ -307,6 +309,9 @@ namespace conetact::pairing
       return gap >= -limits.interference;
     if (!limits.inside)
       return false;
+    // Well inside the body any depth is an interference. Near its boundary, as
+    // at the side of a block that another one is pressed into, the point may be
+    // beside the body, and only as deep as interferences are.
     const double distance = whole->signed_distance(p);
     return distance < -overhang ||
            (distance <= overhang && gap >= -limits.interference);

@@ -464,7 +464,7 @@ namespace conetact::pairing
       {
         if (!contact.gap)
           return undeformed_distance(node, structures) * node.n;
-        // What is prescribed is a way along all normals of a bent face.
+        // A prescribed gap is a way along all normals of a bent face.
         return node.mean_cosine * one_by_one.prescribed_gap(node);
       }
 

@@ -85,7 +85,7 @@ namespace conetact::pairing
              one.gap < (1 - 1e-6) * other.gap && one.n * other.n > alike;
     }
 
-    /** Whether faces at the node look at what is met along n. */
+    /** Tells whether faces at the node look at what is met along n. */
     bool
     looks_at(const bodies::SurfaceNode &node,
              const Tensor<1, 3>        &n,
@@ -224,7 +224,7 @@ namespace conetact::pairing
                 nodes.end());
     if (std::any_of(nodes.begin(), nodes.end(), &touches))
       return true;
-    // What stands between them hides one from the other.
+    // Something between the sides hides one from the other.
     const std::vector<ContactNode> others =
       nodes.empty() ? nodes : nodes_on_others(trial, gap);
     return std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &n) {

@@ -270,6 +270,8 @@ namespace conetact::pairing
                          const Side                &side,
                          const ContactNode         &first) const
   {
+    // A depth below `rounding` is none; `off` is how far the node is taken
+    // beyond its way out of the first face, to be clear of it.
     constexpr double rounding = 1e-6, off = .02; // of a cell
     const auto       foot =
       master->foot(s.position, {side.outward}, limits(first.spacing));
@@ -299,6 +301,8 @@ namespace conetact::pairing
     return node;
   }
 
+  /** A node at a sharp edge has one row for each direction in which its sides
+   * are stopped, and the area of its faces is shared among these rows. */
   std::vector<ContactNode>
   NodeToFace::find_sides(const bodies::SurfaceNode &s)
   {

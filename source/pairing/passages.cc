@@ -21,9 +21,9 @@ namespace conetact::pairing
      * this part of the face's size inside. */
     constexpr double touching = 2e-3;
     /**
-     * What crosses the plane of a face up to this part of its size beside it
-     * goes through it: faces overlap, so that nothing slips through between two
-     * of them.
+     * A node that crosses the plane of a face up to this part of its size
+     * beside it goes through it: faces overlap, so that nothing slips through
+     * between two of them.
      */
     constexpr double overlap = 1e-3;
     /** A node that is no deeper than this part of its way inside, at half of

@@ -41,8 +41,8 @@ namespace conetact::pairing
         }
   }
 
-  /* Around a node in the middle there are as many faces as edges, at the rim
-     one edge more. */
+  /* Nodes in the middle have as many faces as edges around them, those at the
+     rim one edge more. */
   bool
   PressurePattern::is_inside(const Around &around) const
   {
@@ -112,6 +112,7 @@ namespace conetact::pairing
         if (found == neighbours.end() || !is_inside(found->second))
           continue;
         const Around &around = found->second;
+        // Where faces turn around a node, as at a tip, it may well press alone.
         if (around.sum.norm() >= smooth * around.n_faces &&
             std::all_of(around.nodes.begin(),
                         around.nodes.end(),

@@ -136,8 +136,8 @@ namespace conetact::pairing
   {
     if (n_corners() == 2)
       return {{(p[0] - corners[0][0]) / (corners[1][0] - corners[0][0]), 0}};
-    // From the centre: the face looks convex, hence the map has an inverse
-    // there and on the way to any of its points.
+    // The iteration begins at the centre: the face looks convex, hence the map
+    // has an inverse there and on the way to any of its points.
     std::array<double, 2> at = {{.5, .5}};
     for (unsigned int step = 0; step < 20; ++step)
       {

@@ -192,7 +192,7 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Whether any two contacts that slide may share nodes. */
+    /** Tells whether any two contacts that slide may share nodes. */
     bool
     may_share(const std::vector<Contact> &contacts)
     {

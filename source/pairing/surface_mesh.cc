@@ -26,7 +26,7 @@ namespace conetact::pairing
     using Handler = dealii::ParameterHandler;
     using Shape   = std::unique_ptr<ObstacleShape>;
 
-    /** What is nearer to a face than this part of its size is on it. */
+    /** A point nearer to a face than this part of its size is on it. */
     constexpr double on_face = 1e-12;
 
     /** Faces whose normals differ by less are one. */

@@ -52,7 +52,7 @@ namespace conetact::pairing
         const double allowed =
           part * std::max(moved.node->spacing, indentation);
         const double actual = true_gap(moved);
-        // What is apart by both has no force that could be wrong.
+        // A node that is apart by both gaps has no force that could be wrong.
         if (std::min(actual, moved.gap) > allowed)
           continue; // open by both
         if (const double error = std::abs(actual - moved.gap) / allowed;
