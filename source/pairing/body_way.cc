@@ -46,8 +46,8 @@ namespace conetact::pairing
       spin[d] =
         rotation[(d + 2) % 3][(d + 1) % 3] - rotation[(d + 1) % 3][(d + 2) % 3];
     // |spin| = 2 sin(angle), tr Q - 1 = 2 cos(angle): the arc cosine alone
-    // would lose half the digits of small angles. Half a turn has no spin, and
-    // is taken for a straight way.
+    // would lose half the digits of small angles. At half a turn the spin
+    // vanishes, and the axis is lost with it.
     const double turn = std::atan2(spin.norm(), trace(rotation) - 1);
     if (turn > no_turn && spin.norm() > 0)
       {

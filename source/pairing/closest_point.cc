@@ -86,9 +86,9 @@ namespace conetact::pairing
     }
 
     /**
-     * Newton's step for |p - x(a, b)|^2 / 2 with the Hessian g_i . g_j - miss .
-     * x_ij, of the tangents g_i; Gauss and Newton's, without x_ij, where the
-     * face is so warped that the former would lead to a maximum.
+     * Newton's step for |p - x(a, b)|^2 / 2, whose second derivatives are x_i .
+     * x_j - (p - x) . x_ij; Gauss and Newton's, without x_ij, where the face is
+     * so warped that the former would lead to a maximum.
      */
     std::array<double, 2>
     newton_step(const std::vector<Point<3>> &x,

@@ -87,10 +87,10 @@ namespace conetact::pairing
   }
 
   /* The linear functions are lambda_c = N_c + sum_m lambda_c(x_m) N_m over the
-     nodes m in the middle (hierarchical basis). With int phi_j lambda_c =
-     delta_jc int lambda_j and int phi_j N_m = int lambda_j N_m this leaves int
-     phi_j N_c = delta_jc int lambda_j - sum_m lambda_c(x_m) int lambda_j N_m.
-     */
+     nodes m in the middle (hierarchical basis). From int phi_j lambda_c =
+     delta_jc int lambda_j and int phi_j N_m = int lambda_j N_m follow the other
+     integrals, int phi_j N_c = delta_jc int lambda_j - sum_m lambda_c(x_m) int
+     lambda_j N_m. */
   MatrixXd
   corner_integrals(const MatrixXd &of_linear, const MatrixXd &linear)
   {

@@ -24,9 +24,9 @@ namespace conetact::pairing
     using EdgeCorners = std::array<unsigned int, 4>;
 
     /**
-     * The corners of an edge, then those opposite to them. Edges of a
-     * quadrilateral are a = 0, a = 1, b = 0 and b = 1, those of a triangle a =
-     * 0, b = 0 and a + b = 1.
+     * The corners of an edge, then those opposite to them. A quadrilateral has
+     * the edges a = 0, a = 1, b = 0 and b = 1, a triangle has a = 0, b = 0 and
+     * a + b = 1.
      */
     const EdgeCorners &
     edge_corners(const std::size_t n_corners, const std::size_t edge)

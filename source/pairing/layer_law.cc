@@ -100,8 +100,8 @@ namespace conetact::pairing
                         0.;
   }
 
-  /** The closing C(p) p, and below the largest pressure P so far C(P) P - U(P)
-   * (P - p): continuous in P. */
+  /** The closing C(p) p; below the largest pressure P so far it is C(P) P -
+   * U(P) (P - p), which at p = P is the same. */
   double
   LayerLaw::closing(const Situation &at) const
   {
