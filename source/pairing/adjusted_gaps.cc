@@ -13,9 +13,9 @@ namespace conetact::pairing
   namespace
   {
     /**
-     * Gaps up to a margin are those of facets: zero. So that there is no step
-     * to gaps that are drawn, these begin at zero as well and are what they are
-     * from three margins on.
+     * Gaps g up to a margin m are those of facets: zero. So that there is no
+     * step to gaps that are drawn, beyond it they are 3/2 (|g| - m) with the
+     * sign of g, which from 3 m on is g itself.
      */
     double
     without_facets(const double gap, const double margin)

@@ -19,8 +19,11 @@ namespace conetact::pairing
     /** How far beyond its edges a face is continued, in its own coordinates. */
     constexpr double beyond_edges = .05;
 
-    /** Place and derivatives of a bent face; differences are exact for
-     * functions of second degree. */
+    /**
+     * Place and derivatives of a bent face. Central differences over half a
+     * unit to either side are exact for functions of second degree in each
+     * coordinate.
+     */
     struct BentFace
     {
       const FaceNet::Face &face;
@@ -48,7 +51,7 @@ namespace conetact::pairing
         return 4 * (at(p[0] + .5 * da, p[1] + .5 * db) - 2. * at(p[0], p[1]) +
                     at(p[0] - .5 * da, p[1] - .5 * db));
       }
-      /** Derivative by both coordinates. */
+      /** The derivative by both coordinates. */
       Tensor<1, 3>
       twist(const Local &p) const
       {
@@ -62,7 +65,8 @@ namespace conetact::pairing
       }
     };
 
-    /** Newton's step to where the distance from p has no slope. */
+    /** Newton's step to where |x(a, b) - p|^2 / 2 has no slope: its slopes are
+     * (x - p) . x_i, its second derivatives x_i . x_j + (x - p) . x_ij. */
     Eigen::Vector2d
     step_to_foot(const BentFace &bent, const Point<3> &p, const Local &at)
     {
@@ -105,6 +109,9 @@ namespace conetact::pairing
   std::optional<BentPoint>
   foot_on_bent(const FaceNet::Face &face, const Point<3> &p, const Local &near)
   {
+    // Steps are in local coordinates: one of half a face leads to another foot,
+    // or to none. After `most` steps the last place is taken as it is, for
+    // rounding may keep steps above `found`.
     constexpr double       found = 1e-14, far = .5;
     constexpr unsigned int most = 30;
     const BentFace         bent{face};

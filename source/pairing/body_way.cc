@@ -15,7 +15,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Below, the chord of an arc is as good. [rad] */
+    /** Below this turn the chord of an arc stands for it [rad]: it is off by
+     * the radius times turn^2 / 8, a part of 1e-7. */
     constexpr double no_turn = 1e-3;
 
     Tensor<1, 3>
@@ -44,6 +45,9 @@ namespace conetact::pairing
     for (unsigned int d = 0; d < 3; ++d)
       spin[d] =
         rotation[(d + 2) % 3][(d + 1) % 3] - rotation[(d + 1) % 3][(d + 2) % 3];
+    // |spin| = 2 sin(angle), tr Q - 1 = 2 cos(angle): the arc cosine alone
+    // would lose half the digits of small angles. At half a turn the spin
+    // vanishes, and the axis is lost with it.
     const double turn = std::atan2(spin.norm(), trace(rotation) - 1);
     if (turn > no_turn && spin.norm() > 0)
       {
@@ -55,7 +59,9 @@ namespace conetact::pairing
     along                = angle > 0 ? (b * axis) * axis : b;
     if (angle > 0)
       {
-        // the point off the axis through the origin that (I - Q) takes to b
+        // The centre c solves (I - Q) c = b across the axis: c = (b + cot(angle
+        // / 2) axis x b) / 2 (Chasles: a motion is a turn about an axis and a
+        // way along it).
         const Tensor<1, 3> across = b - along;
         centre = Point<3>(.5 * (across + cross_product_3d(axis, across) /
                                            std::tan(.5 * angle)));
@@ -64,6 +70,8 @@ namespace conetact::pairing
       strained.push_back(Tensor<1, 3>(to[i]) - Q * Tensor<1, 3>(start[i]) - b);
   }
 
+  /** x(s) = c + Q(s angle) (X - c) + s (along + strained), which is exact at
+   * both ends. */
   Point<3>
   BodyWay::at(const unsigned int node, const double part) const
   {

@@ -90,6 +90,11 @@ namespace conetact::pairing
     return strength_at(shear, at, where + "Cohesion");
   }
 
+  /**
+   * The part 1 - w / l of T and c that is left, with the softening length l and
+   * the way w, which is the opening or sqrt(opening^2 + slip^2). So the energy
+   * of fracture is half the strength times l.
+   */
   double
   BondLaw::rest(const double opened,
                 const double slipped,
@@ -110,6 +115,8 @@ namespace conetact::pairing
     return rest > rounding ? rest : 0.;
   }
 
+  /** A zone that has opened by w closes along a line to 0: at a gap g it pulls
+   * by g / w of the strength that is left at w. */
   double
   BondLaw::unloading(const double gap,
                      const double opened,

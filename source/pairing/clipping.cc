@@ -51,13 +51,14 @@ namespace conetact::pairing
           const Point<2> &p  = polygon[i];
           const Point<2> &q  = polygon[(i + 1) % polygon.size()];
           const double    at = side(p), next = side(q);
-          // What lies on the line belongs to both sides.
+          // A point on the line belongs to both sides.
           if (at >= 0)
             halves.left.push_back(p);
           if (at <= 0)
             halves.right.push_back(p);
           if ((at > 0 && next < 0) || (at < 0 && next > 0))
             {
+              // The side is linear along the edge and vanishes there.
               const Point<2> crossing = p + at / (at - next) * (q - p);
               halves.left.push_back(crossing);
               halves.right.push_back(crossing);
@@ -79,7 +80,8 @@ namespace conetact::pairing
               const Polygon        &taken,
               std::vector<Polygon> &pieces)
     {
-      // what touches along an edge leaves two points, no interval here
+      // Polygons that touch along an edge leave two points, which are no
+      // interval here.
       const auto keep = [&](const Polygon &piece) {
         if (is_interval(piece) == is_interval(polygon) &&
             measure(piece) > round_off * measure(polygon))
@@ -91,8 +93,8 @@ namespace conetact::pairing
           keep(interval(std::max(polygon[0][0], taken[1][0]), polygon[1][0]));
           return;
         }
-      // What is right of an edge of the convex polygon that is taken, and left
-      // of those before it: convex pieces that do not overlap.
+      // Pieces are right of an edge of the convex polygon that is taken, and
+      // left of those before it: they are convex and do not overlap.
       Polygon rest = polygon;
       for (std::size_t i = 0; i < taken.size() && rest.size() > 2; ++i)
         {
@@ -143,7 +145,7 @@ namespace conetact::pairing
       static const dealii::QWitherdenVincentSimplex<2> degree_5(3),
         degree_13(7);
       const double jacobian = cross(b - a, c - a);
-      // three corners on a line
+      // Three corners on a line have no area.
       if (!(jacobian > 0))
         return;
       // A series of high order is summed on smaller triangles.
@@ -184,7 +186,9 @@ namespace conetact::pairing
       return 0;
     if (is_interval(polygon))
       return polygon[1][0] - polygon[0][0];
-    // from a corner, not from the origin: that may be far
+    // The triangles are those about a corner, not about the origin, which may
+    // be far: a difference of large areas would lose digits. The sum is
+    // negative for clockwise polygons, which is how oriented() knows them.
     double twice = 0;
     for (std::size_t i = 2; i < polygon.size(); ++i)
       twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
@@ -283,6 +287,8 @@ namespace conetact::pairing
   std::vector<PlanePoint>
   gauss_points(const Polygon &polygon, const unsigned int level)
   {
+    // Three points are exact to degree 5, more than products of two functions
+    // of second degree on straight segments need.
     static const dealii::QGauss<1> on_lines(3);
     std::vector<PlanePoint>        points;
     if (is_interval(polygon))

@@ -67,7 +67,11 @@ namespace conetact::pairing
                                });
     }
 
-    /** The foot in a triangle's plane; its centre if it is outside. */
+    /**
+     * The foot in a triangle's plane, by its normal equations. Where it is
+     * outside, the nearest point is on an edge: the centre stands for it, which
+     * is never nearer.
+     */
     std::array<double, 2>
     closest_inside_triangle(const std::vector<Point<3>> &x, const Point<3> &p)
     {
@@ -82,8 +86,9 @@ namespace conetact::pairing
     }
 
     /**
-     * Newton's step for the distance to p; Gauss and Newton's where the face
-     * is so warped that the former would lead to a maximum.
+     * Newton's step for |p - x(a, b)|^2 / 2, whose second derivatives are x_i .
+     * x_j - (p - x) . x_ij; Gauss and Newton's, without x_ij, where the face is
+     * so warped that the former would lead to a maximum.
      */
     std::array<double, 2>
     newton_step(const std::vector<Point<3>> &x,
@@ -91,8 +96,8 @@ namespace conetact::pairing
                 const Tensor<1, 3>          &miss)
     {
       const auto g = face_tangents(x, at);
-      // Of the second derivatives of a bilinear face only the mixed one is not
-      // zero; it is the same everywhere.
+      // The mixed second derivative of a bilinear face is the only one that is
+      // not zero; it is the same everywhere.
       const Tensor<1, 3> twist = (x[3] - x[2]) - (x[1] - x[0]);
       const double       g00 = g[0] * g[0], g11 = g[1] * g[1];
       const double       m0 = miss * g[0], m1 = miss * g[1];
@@ -107,7 +112,8 @@ namespace conetact::pairing
       return {{0, 0}}; // no area there: the edges have the nearest point
     }
 
-    /** Damped, and kept inside the face; the edges are looked at apart. */
+    /** Finds the nearest point inside a bilinear face by Newton's method,
+     * damped and kept inside; the edges are looked at apart. */
     std::array<double, 2>
     closest_inside(const std::vector<Point<3>> &x, const Point<3> &p)
     {
@@ -184,7 +190,7 @@ namespace conetact::pairing
     };
     if (corners.size() == 2)
       return result({{closest_on_segment(corners[0], corners[1], p), 0}});
-    // the distance has few minima: one inside, or those of the edges
+    // The distance has few minima: one inside, or those of the edges.
     const ClosestPoint on_edge = result(closest_on_edges(corners, p));
     const ClosestPoint inside =
       result(corners.size() == 3 ? closest_inside_triangle(corners, p) :
@@ -259,7 +265,9 @@ namespace conetact::pairing
   nearest_in_cone(const Tensor<1, 3>              &direction,
                   const std::vector<Tensor<1, 3>> &cone)
   {
-    // on one of its edges, on a side between two, or inside three of them
+    // The projection of a unit vector onto a convex cone is the longest of its
+    // projections onto edges, onto sides between two of them and into the cone
+    // between three, as far as these are in the cone themselves.
     constexpr double parallel = 1e-9, outside = -1e-14;
     Tensor<1, 3>     best;
     const auto       offer = [&](const Tensor<1, 3> &v) {

@@ -301,7 +301,8 @@ namespace conetact::pairing
       return rows;
     }
 
-    /** As text, or as an expression that is 0 or 1 everywhere. */
+    /** Tells whether an entry says what is idle, as text or as an expression
+     * that is 0 or 1 everywhere. */
     bool
     is_left_at(const dealii::ParameterHandler &prm,
                const std::string              &entry,
@@ -315,7 +316,8 @@ namespace conetact::pairing
         .is_zero();
     }
 
-    /** What is 0 by default may be 0 in other words. */
+    /** Tells whether an entry is given. One that is 0 by default may be 0 in
+     * other words. */
     bool
     is_given(const dealii::ParameterHandler &prm,
              const std::string              &entry,

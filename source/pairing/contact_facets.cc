@@ -30,6 +30,8 @@ namespace conetact::pairing
       master = facets_of(*structures[contact.master], contact.master_ids);
   }
 
+  /** The sagitta of the facets that a node meets; of several masters the
+   * largest. */
   double
   ContactFacets::of_other_side(const ContactNode &node) const
   {

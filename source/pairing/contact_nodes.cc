@@ -14,7 +14,8 @@ namespace conetact::pairing
   {
     /**
      * The point of an obstacle that a node faces, where that stood at the
-     * start; of a node that slides, as it was found last.
+     * start: x - g n with x = X + moved and g = gap + n . moved, of a node that
+     * slides as it was found last.
      */
     Point<3>
     foot_found(const ContactNode &node)
@@ -30,7 +31,8 @@ namespace conetact::pairing
                       const std::vector<const bodies::Structure *> &structures)
   {
     Tensor<1, 3> distance;
-    // differences: far from the origin no digits are lost
+    // Arms from the node are summed, not positions, whose digits would be lost
+    // far from the origin; weights of both sides cancel.
     ContactNode sides = node; // what opens a cut is at no place
     sides.opening.reset();
     for_each_side(
@@ -62,7 +64,7 @@ namespace conetact::pairing
     if (dim == 2)
       return {Tensor<1, 3>({n[1], -n[0], 0.}), e_z};
     Tensor<1, 3> t1 =
-      // n x e_z has no length on a floor.
+      // On a floor n x e_z has no length.
       std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) : cross_product_3d(n, e_z);
     t1 /= t1.norm();
     return {t1, cross_product_3d(n, t1)};

@@ -22,11 +22,17 @@ namespace conetact::pairing
            bodies::middle_nodes(face.corners.size() == 2 ? 2 : 3,
                                 face.nodes.size()))
         for (const std::size_t corner : middle.corners)
+          // The linear function of a corner has this value at a middle node.
           linear(static_cast<Index>(corner), static_cast<Index>(middle.node)) =
             1. / static_cast<double>(middle.corners.size());
     return linear;
   }
 
+  /**
+   * Integrates over the whole face, seen along its mean normal, with dA =
+   * stretch times that of the plane: int lambda_j N_k by quadrature, from which
+   * int phi_j N_k follows by duality. The mass of the N_k is not needed.
+   */
   CornerParts
   corner_parts(const FaceNet::Face &face)
   {
@@ -34,6 +40,8 @@ namespace conetact::pairing
                                 face.outward,
                                 face.corners.size() == 2);
     const ProjectedFace   own(face, plane);
+    // Products lambda_j N_k have degree 3 on triangles, and up to 6 in the
+    // plane of a quadrilateral, more than level 0 takes.
     const unsigned int    level  = face.corners.size() == 4 ? 1 : 0;
     const Eigen::MatrixXd linear = linear_functions(face);
     Eigen::MatrixXd       of_linear =

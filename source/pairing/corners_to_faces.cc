@@ -17,7 +17,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Part of a mean that must be over the master: weights may cancel. */
+    /** The part of a mean that must be over the master: weights change their
+     * sign, and a mean over a sum near 0 reaches far. */
     constexpr double least_part = .1;
 
     /** The pairs of nodes and feet that a corner is the mean of. */
@@ -37,6 +38,8 @@ namespace conetact::pairing
           masters[master] += weight * part;
         sum += weight;
         size = std::max(size, foot.size);
+        // The vector from a foot to its node is gap times its own normal; the
+        // mean sees its part along the normal at the corner.
         gap += weight * foot.gap * (foot.normal * normal);
         cosine += weight * (foot.normal * normal);
       }
@@ -122,7 +125,8 @@ namespace conetact::pairing
         return true;
       }
 
-      /** Of a node, on the side of an edge that a row is on. */
+      /** The foot of a node along the normal on that side of its edge that a
+       * row is on. Rows around share it. */
       const std::optional<MasterSurface::Foot> &
       foot(const unsigned int node, const MortarRow &row)
       {
@@ -140,6 +144,8 @@ namespace conetact::pairing
         return at->second;
       }
 
+      /** The mean of the pairs around a corner; none where the corner itself is
+       * beside the master, or too little of the mean is over it. */
       std::optional<ContactNode>
       mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
@@ -163,11 +169,13 @@ namespace conetact::pairing
       {
         ContactNode node = one_by_one.free_node(s);
         node.master      = contact.master;
+        // Nodes beside the master are left out: weights are parts of the sum of
+        // those that have a foot.
         node.masters     = weights_of(mean.masters, mean.sum);
         node.slaves      = weights_of(mean.slaves, mean.sum);
         node.n           = own.normal;
         node.mean_cosine = bounded_cosine(mean.cosine / mean.sum);
-        // a uniform pressure does the work of the whole area
+        // A uniform pressure does the work of the area that is over the master.
         node.area = area * mean.sum / node.mean_cosine;
         node.gap  = contact.gap ?
                       node.mean_cosine * one_by_one.prescribed_gap(node) :
@@ -184,7 +192,7 @@ namespace conetact::pairing
       MortarRows                                          rows;
       double                                              thickness;
       std::map<unsigned int, const bodies::SurfaceNode *> nodes_of_surface;
-      /** By the node and the side of its edge. */
+      /** Feet are numbered by their node and the side of its edge. */
       std::map<std::pair<unsigned int, std::size_t>,
                std::optional<MasterSurface::Foot>>
         feet;

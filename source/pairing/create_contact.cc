@@ -102,7 +102,7 @@ namespace conetact::pairing
                              "side its own boundary ids.");
     }
 
-    /** Entries that tell of a master body, where there is an obstacle. */
+    /** Refuses entries of a master body where there is an obstacle. */
     void
     refuse_masters(const dealii::ParameterHandler &prm, const std::string &in)
     {
@@ -135,7 +135,8 @@ namespace conetact::pairing
       contact.pairing = chosen ? name : row.pairing;
     }
 
-    /** What is bound has no cone. */
+    /** Refuses what belongs to a cone in contacts that are bound, for they have
+     * none. */
     void
     refuse_cone(const dealii::ParameterHandler &prm,
                 const Contact                  &contact,
@@ -179,7 +180,7 @@ namespace conetact::pairing
         refuse("Prestress");
     }
 
-    /** What may be paired at all. */
+    /** Reads the limits of what may be paired at all. */
     void
     find_limits(dealii::ParameterHandler &prm,
                 const std::string        &in,
@@ -258,8 +259,8 @@ namespace conetact::pairing
       return preload;
     }
 
-    /** Forces of single nodes of first degree reach no face of second degree as
-     * a pressure does. */
+    /** Refuses single nodes against faces of second degree: their forces,
+     * weighed by functions of second degree, are no uniform pressure there. */
     void
     refuse_single_nodes(
       const Contact                                &contact,
@@ -385,7 +386,9 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Of a spring; the ground is an obstacle that nobody names. */
+    /**
+     * Finds the ends of a spring; the ground is an obstacle that nobody names.
+     */
     void
     find_ends(const dealii::ParameterHandler &prm,
               const unsigned int              dim,

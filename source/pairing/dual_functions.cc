@@ -16,8 +16,11 @@ namespace conetact::pairing
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** Rows are the functions of kept nodes that sum to 1, in terms of the
-     * shape functions: their own one and shares of those of other nodes. */
+    /**
+     * The functions of kept nodes, rows B in terms of the N_k, which sum to 1:
+     * each node's own one, and a share of those of nodes that are not kept, in
+     * proportion to the integral of its own.
+     */
     MatrixXd
     extended(const VectorXd &areas, const std::vector<Index> &kept)
     {
@@ -44,12 +47,17 @@ namespace conetact::pairing
   {
     AssertDimension(mass.rows(), mass.cols());
     AssertDimension(areas.size(), mass.rows());
-    // Least over largest singular value of the functions, each over its own
-    // size: 1/9 on a square, 1/22 on one half of it, 1/67 in a corner, 1/144 on
-    // the quarter in its middle. Below a thousandth a function would reach ten
-    // times as far as what is covered.
+    // The least over the largest singular value of the functions, each over its
+    // own size, is 1/9 on a square, 1/22 on one half of it, 1/67 in a corner,
+    // 1/144 on the quarter in its middle. Below a thousandth a function would
+    // reach ten times as far as what is covered.
     constexpr double least = 1e-3;
 
+    // psi = C B N is dual to the kept N_k where C (B M)_kept = diag(a_kept),
+    // with the mass M and the integrals a of the N_k; they sum to 1 as the
+    // functions B do. B M is scaled by the L2 norms of both sets of functions
+    // before it is inverted: then its singular values tell how much alike they
+    // are, not how small the part is that is covered.
     const MatrixXd functions = extended(areas, kept);
     MatrixXd       all       = MatrixXd::Zero(areas.size(), areas.size());
     all(kept, Eigen::all)    = functions;
@@ -78,8 +86,11 @@ namespace conetact::pairing
     return all;
   }
 
-  /* In the basis of linear functions and what middles have beside them: the
-     first ones meet their own corner only. */
+  /* The linear functions are lambda_c = N_c + sum_m lambda_c(x_m) N_m over the
+     nodes m in the middle (hierarchical basis). From int phi_j lambda_c =
+     delta_jc int lambda_j and int phi_j N_m = int lambda_j N_m follow the other
+     integrals, int phi_j N_c = delta_jc int lambda_j - sum_m lambda_c(x_m) int
+     lambda_j N_m. */
   MatrixXd
   corner_integrals(const MatrixXd &of_linear, const MatrixXd &linear)
   {
@@ -98,6 +109,7 @@ namespace conetact::pairing
   {
     AssertDimension(mass.rows(), linear.cols());
     const MatrixXd integrals = corner_integrals(linear * mass, linear);
+    // phi_j = sum_k F_jk N_k with F M = integrals; the mass M is symmetric.
     return mass.ldlt().solve(integrals.transpose()).transpose();
   }
 } // namespace conetact::pairing

@@ -21,13 +21,18 @@ namespace conetact::pairing
     using Handler = dealii::ParameterHandler;
     using Shape   = std::unique_ptr<ObstacleShape>;
 
-    /** Of the coordinates: what is nearer to a feature is on it. */
+    /**
+     * A point nearer to a feature than this part of the coordinates is on it.
+     */
     constexpr double on_feature = 1e-12;
 
     /**
-     * All points within the half angle of an axis that begins at an apex, in
-     * the plane a wedge; the apex is sharp, or rounded by a ball that touches
-     * the sides.
+     * All points within the half angle alpha of an axis that begins at an apex,
+     * in the plane a wedge; the apex is sharp, or rounded by a ball of radius
+     * rho that touches the sides: its centre is rho / sin(alpha) along the
+     * axis, and it touches rho cot(alpha) along a side. With z along the axis
+     * and r across it the side r cos(alpha) = z sin(alpha) has the normal
+     * cos(alpha) e_r - sin(alpha) e_z.
      */
     class Cone : public ObstacleShape
     {
@@ -49,11 +54,14 @@ namespace conetact::pairing
         const double       z      = (p - apex) * axis;
         const Tensor<1, 3> across = (p - apex) - z * axis;
         const double       r      = across.norm();
-        // Beside the side's foot: the line of the cone through the apex.
+        // The foot on the side is r sin(alpha) + z cos(alpha) from the apex
+        // along it. Where that is not beyond the point in which ball and side
+        // touch, the ball is nearest, or the sharp apex.
         if (r * sine + z * cosine <= round * cosine / sine)
           return from_centre(p);
         if (r <= on_feature * (p - apex).norm())
-          // Every line of the cone is as near: back out through the apex.
+          // On the axis every line of the side is as near, and none is the
+          // closest: the way goes back out through the apex.
           return {(apex - p) * axis + round / sine - round, -axis};
         return {r * cosine - z * sine, cosine / r * across - sine * axis};
       }
@@ -101,7 +109,7 @@ namespace conetact::pairing
       {
         const Tensor<1, 3> arm      = p - centre;
         const double       distance = arm.norm();
-        // At the apex itself all normals of the cone meet.
+        // At the centre of the ball, or at a sharp apex, all its normals meet.
         if (distance <= on_feature * (round + p.norm()))
           return {-round, -axis};
         return {distance - round, arm / distance};
@@ -132,6 +140,9 @@ namespace conetact::pairing
       Closest
       closest(const Point<3> &p, const double) const override
       {
+        // The signed distance of a box is |max(b, 0)| outside and the largest
+        // component of b inside, with b = |q| - half, `beyond`, in its own
+        // axes.
         const Tensor<1, 3> q = transpose(rotation) * (p - centre);
         const double on = on_feature * (half.norm() + centre.norm() + p.norm());
         Tensor<1, 3> beyond, outside;

@@ -24,8 +24,9 @@ namespace conetact::pairing
     using EdgeCorners = std::array<unsigned int, 4>;
 
     /**
-     * Corners of an edge and those opposite: of a quadrilateral's edges a = 0,
-     * a = 1, b = 0, b = 1; of a triangle's a = 0, b = 0, a + b = 1.
+     * The corners of an edge, then those opposite to them. A quadrilateral has
+     * the edges a = 0, a = 1, b = 0 and b = 1, a triangle has a = 0, b = 0 and
+     * a + b = 1.
      */
     const EdgeCorners &
     edge_corners(const std::size_t n_corners, const std::size_t edge)
@@ -50,7 +51,7 @@ namespace conetact::pairing
 
     using Nodes = std::vector<unsigned int>;
 
-    /** Of an edge, sorted; in the plane an edge is one node. */
+    /** The nodes of an edge, sorted; in the plane an edge is one node. */
     Nodes
     edge_nodes(const FaceNet::Face &face, const std::size_t edge)
     {
@@ -76,8 +77,9 @@ namespace conetact::pairing
           const auto  &c     = edge_corners(x.size(), edge);
           Tensor<1, 3> along = x[c[1]] - x[c[0]];
           along /= along.norm();
-          // From the opposite corners to those of the edge, without what is
-          // along it: in the plane of the face, pointing out of it.
+          // The vector from the opposite corners to those of the edge, without
+          // its part along that, is in the plane of the face and points out of
+          // it.
           across = (x[c[0]] - x[c[2]]) + (x[c[1]] - x[c[3]]);
           across -= (across * along) * along;
         }
@@ -91,7 +93,8 @@ namespace conetact::pairing
       return face.corners[c[0]].distance(face.corners[c[1]]);
     }
 
-    /** Of a face that contacts meet at corners only. */
+    /** The sagitta of a face that contacts meet at corners only: how far a
+     * middle node stands off the mean of the corners that it is between. */
     double
     sagitta_of(const bodies::Structure &body, const bodies::SurfaceFace &face)
     {
@@ -155,7 +158,7 @@ namespace conetact::pairing
       return M_PI - std::acos(std::clamp(cosine, -1., 1.));
     }
 
-    /** What a tree needs of faces. */
+    /** The balls around faces, for a tree. */
     std::vector<FaceTree::Ball>
     balls_of(const std::vector<FaceNet::Face> &faces)
     {
@@ -236,6 +239,11 @@ namespace conetact::pairing
     return all;
   }
 
+  /**
+   * Joins faces across edges: partners have all nodes of the edge. Asking the
+   * faces at its first node alone keeps this in proportion to the number of
+   * faces.
+   */
   void
   FaceNet::join_edges()
   {
@@ -262,7 +270,8 @@ namespace conetact::pairing
     for (const bodies::HangingNode &hanging : body.hanging_nodes())
       for (const auto &[master, weight] : hanging.masters)
         followed[hanging.node].insert(master);
-    // parts of an edge and the whole hang on the same nodes in the end
+    // Parts of an edge and the whole have one key: in place of a node that
+    // hangs stand those that it follows.
     std::map<std::set<unsigned int>,
              std::vector<std::pair<std::size_t, std::size_t>>>
       groups;
@@ -354,6 +363,9 @@ namespace conetact::pairing
   Tensor<1, 3>
   FaceNet::sum_of_normals(const std::vector<Closest> &feature) const
   {
+    // The weights are angles, which do not change with the way in which a mesh
+    // divides the faces around. A plain sum of normals does, and may have the
+    // wrong sign at a vertex.
     Tensor<1, 3> sum;
     for (const Closest &at : feature)
       sum += angle_at(faces[at.face], edges_at(at)) * at.normal;
@@ -378,8 +390,8 @@ namespace conetact::pairing
     return nearest;
   }
 
-  /* By the pseudonormal it is right at edges and corners as well, where that of
-     a single face is not. */
+  /* Tells the side by the pseudonormal, which is right at edges and corners as
+     well, where the normal of a single face is not. */
   double
   FaceNet::side(const Closest &at, const Point<3> &p) const
   {
@@ -395,9 +407,13 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Of all directions from p those in which a triangle is, towards whose
-     * outward side it is positive (van Oosterom, Strackee, IEEE Trans. Biomed.
-     * Eng. 30 (1983) 125-126). */
+    /**
+     * The share of all directions from p in which a triangle is, a solid angle
+     * Omega over 4 pi, positive where p is behind it: tan(Omega / 2) = a . (b x
+     * c) / (|a| |b| |c| + (a . b) |c| + (b . c) |a| + (c . a) |b|) with its
+     * corners a, b, c seen from p (van Oosterom, Strackee, IEEE Trans. Biomed.
+     * Eng. 30 (1983) 125-126).
+     */
     double
     share_of_triangle(const std::array<Tensor<1, 3>, 3> &corner,
                       const Tensor<1, 3>                &outward)
@@ -412,7 +428,8 @@ namespace conetact::pairing
       return (normal * outward < 0 ? -angle : angle) / (4 * M_PI);
     }
 
-    /** The same of a line in the plane. */
+    /** The share of a line in the plane, an angle over 2 pi, positive where p
+     * is behind it. */
     double
     share_of_line(const Tensor<1, 3> &a,
                   const Tensor<1, 3> &b,
@@ -442,6 +459,8 @@ namespace conetact::pairing
   bool
   FaceNet::encloses(const Point<3> &p) const
   {
+    // Shares sum to the winding number: 1 inside of a closed surface, 0
+    // outside. The half between them is far from both, whatever the rounding.
     double share = 0;
     for (const Face &face : faces)
       share += share_of_view(face, p);

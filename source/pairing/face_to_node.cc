@@ -15,8 +15,11 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** What a node meets of the faces; none: it is out of reach, or beside
-     * them. */
+    /**
+     * The point of the faces that a node meets; none where it is out of reach,
+     * or beside the faces by more than a little: past the rim the nearest point
+     * is not perpendicular.
+     */
     std::optional<FaceNet::Closest>
     met_by(const Point<3> &p, const FaceNet &faces, const Contact &contact)
     {
@@ -72,6 +75,7 @@ namespace conetact::pairing
         node.master      = contact.master;
         node.masters     = {{master.node, 1.}};
         for (std::size_t i = 0; i < N.size(); ++i)
+          // Shape functions that vanish at an edge leave rounding.
           if (std::abs(N[i]) > 1e-14)
             node.slaves.emplace_back(face.nodes[i], N[i]);
         node.gap = contact.gap ? (*contact.gap)(master.position) :

@@ -15,7 +15,7 @@ namespace conetact::pairing
   namespace
   {
     using FaceBox = dealii::BoundingBox<3>;
-    /** Touching is meeting, whatever the rounding. */
+    /** Balls that touch meet, whatever the rounding. */
     constexpr double slack = 1 + 1e-10;
     /** More than the root of 2: so far is a corner of the end of a tube from
      * its axis, over its radius. */

@@ -15,7 +15,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Of each node the row of its side that looks at the obstacle. */
+    /** Gives each node the row of the side of its edge that looks most against
+     * the obstacle's normal. */
     std::map<unsigned int, const MortarRow *>
     facing_sides(const Contact           &contact,
                  const bodies::Structure &body,
@@ -79,6 +80,12 @@ namespace conetact::pairing
       }
   }
 
+  /**
+   * Sets w_k = part_k / (n . n_k) with the normals n at the corner and n_k at
+   * its slaves. A reaction r along n gives the slave k the force r w_k / W
+   * along n, with the sum W of the w_k: its part along n_k is r part_k / W,
+   * that of a uniform pressure.
+   */
   void
   FacesOnObstacle::weigh(const unsigned int node, Row &row) const
   {
@@ -131,6 +138,8 @@ namespace conetact::pairing
         const auto there = closest(slave);
         if (!there)
           return {};
+        // Vectors g_k n_k from the obstacle to the slaves have the mean sum_k
+        // w_k g_k n_k / W; its part along n is that of the gaps g_k part_k / W.
         met.gap += row.slaves.at(slave) / row.whole * there->gap;
         met.foot += weight / row.whole *
                     (Tensor<1, 3>(body.position(slave)) + moved_by(slave) -
@@ -149,7 +158,8 @@ namespace conetact::pairing
     node.gap       = met.gap;
     node.n         = met.normal;
     const Row &row = rows.at(node.node);
-    node.area      = thickness * row.area * row.whole;
+    // A uniform pressure p has the reaction r = p A W, with the area A.
+    node.area = thickness * row.area * row.whole;
     node.slaves.clear();
     for (const auto &[slave, weight] : row.weights)
       node.slaves.emplace_back(slave, weight / row.whole);

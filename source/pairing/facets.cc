@@ -19,9 +19,12 @@ namespace conetact::pairing
 
     /** Normals that differ by less are those of one plane. */
     constexpr double one_plane = 1e-6;
-    /** Vertices of a facet that are looked at: ends of long strips suffice. */
+    /**
+     * So many vertices of a facet are looked at: ends of long strips suffice.
+     */
     constexpr std::size_t most_vertices = 64;
-    /** Of the width of a facet: neighbours on a curved surface are alike. */
+    /** Neighbours on a curved surface are alike: their widths differ by less
+     * than this factor. */
     constexpr double alike = 4;
 
     using Corner  = std::pair<std::size_t, std::size_t>; ///< of a face
@@ -38,9 +41,10 @@ namespace conetact::pairing
     }
 
     /**
-     * The weight of a face in the normal of a vertex: so that the normal is
-     * exact where the vertices are on a circle or a sphere, whatever the sizes
-     * of faces (Max, J. Graphics Tools 4 (1999) 1-6).
+     * The weight of a face in the normal of a vertex, |a x b| / (|a|^2 |b|^2)
+     * with the edges a, b there: so that the normal is exact where the vertices
+     * are on a circle or a sphere, whatever the sizes of faces (Max, J.
+     * Graphics Tools 4 (1999) 1-6).
      */
     double
     weight(const FaceNet::Face &face, const std::size_t corner)
@@ -104,6 +108,8 @@ namespace conetact::pairing
                const Corners                  &corners,
                const std::vector<std::size_t> &facet_of)
     {
+      // Edges of 30 degrees, whatever their rounding, are meant: no normal is
+      // averaged across them.
       const double                 smooth = std::cos(M_PI / 6) + 1e-9;
       std::map<std::size_t, Facet> facets;
       for (const auto &[node, here] : corners)
@@ -128,8 +134,13 @@ namespace conetact::pairing
       return facets;
     }
 
-    /** From the two vertices that turn most against each other: both must, in
-     * the same sense. */
+    /**
+     * Takes the sagitta s from the two vertices that turn most against each
+     * other. On a circle of radius R the normal of a vertex turns from that of
+     * its facet, h long, by h / 2R, so that turn . d = h^2 / 2R = 4 s with the
+     * chord d. Both must turn in the same sense, and the smaller turn counts:
+     * at the end of a curve one is that of a plane.
+     */
     void
     measure_facet(Facet &facet)
     {
@@ -157,7 +168,8 @@ namespace conetact::pairing
           }
     }
 
-    /** Whether a facet beside it is one of the same curved surface. */
+    /** Tells whether a facet beside this one belongs to the same curved
+     * surface. */
     bool
     is_of_curve(const Facet &facet, const std::map<std::size_t, Facet> &facets)
     {
@@ -171,7 +183,7 @@ namespace conetact::pairing
                          });
     }
 
-    /** Whether the face itself follows the curve. */
+    /** Tells whether the face itself follows the curve. */
     bool
     is_bent(const FaceNet::Face &face)
     {

@@ -10,7 +10,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Parts below this share of the slave face are rounding. */
+    /** Parts below this share of the slave face are what clipping leaves by
+     * rounding. */
     constexpr double sliver = 1e-14;
   } // namespace
 
@@ -18,6 +19,8 @@ namespace conetact::pairing
     : master(surface)
   {}
 
+  /** Finds the master's faces before or behind a slave face whose shadows in
+   * its plane overlap it; which one hides which is left to seen_from(). */
   std::vector<FacingParts::Candidate>
   FacingParts::candidates(const FaceNet::Face         &slave,
                           const ProjectionPlane       &plane,
@@ -67,8 +70,9 @@ namespace conetact::pairing
                      [](const Candidate &a, const Candidate &b) {
                        return std::abs(a.gap) < std::abs(b.gap);
                      });
-    // Between outlines of bent faces there are slivers, and through these the
-    // far side of the body that the face has begun to enter.
+    // Outlines of bent faces leave slivers between them, through which the far
+    // side of the body could be seen that the face has begun to enter: where
+    // something is near, what is deeper than the face is long does not count.
     if (!found.empty() && std::abs(found.front().gap) <= slave.size)
       found.erase(std::remove_if(found.begin(),
                                  found.end(),
@@ -81,7 +85,7 @@ namespace conetact::pairing
       {
         const Part          &part = found[c].part;
         std::vector<Polygon> left = {part.where};
-        // whole outlines are taken away: clipped ones have edges of no length
+        // Whole outlines are taken away: clipped ones have edges of no length.
         for (std::size_t nearer = 0; nearer < c && !left.empty(); ++nearer)
           left = without(left, found[nearer].part.projected.outline());
         for (Polygon &piece : left)

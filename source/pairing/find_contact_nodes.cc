@@ -26,7 +26,11 @@ namespace conetact::pairing
       return value;
     }
 
-    /** The mean over what the node is a mean over. */
+    /**
+     * The growth of a Gap of t since the start, its mean over what the node is
+     * a mean over. Of a way along the normals of bent faces the node sees
+     * mean_cosine.
+     */
     std::function<double(const double t)>
     growth_of(const ContactNode                            &node,
               const Contact                                &contact,
@@ -71,7 +75,8 @@ namespace conetact::pairing
           most < 0)
         throw InputError(in + "Shear limit: it is " + to_text(most) + " at " +
                          to_text(node.position) + ". Give 0 or more.");
-      // layers and wear ask for slips, with friction or without
+      // Layers and wear ask for slips, with friction or without. The node's own
+      // coefficient must be above 0 where a law gives another one.
       if (!contact.friction->is_constant() || contact.layer || contact.bond ||
           contact.fluid || contact.active || contact.spring)
         {
@@ -97,8 +102,11 @@ namespace conetact::pairing
           value_at(*contact.path_cohesion, node.position, in + "Cohesion");
     }
 
-    /** Positions are known to their rounding: a gap below it is none. A body
-     * that is turned with its master must not touch it node after node. */
+    /**
+     * The rounding of gaps, 16 eps of the largest coordinate: smaller ones are
+     * none. A body that is turned with its master must not touch it node after
+     * node.
+     */
     double
     rounding_of_gaps(const Contact                                &contact,
                      const std::vector<const bodies::Structure *> &structures)

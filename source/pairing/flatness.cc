@@ -15,7 +15,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Normals that differ by more belong to sides of an edge. */
+    /** Normals that turn by more than 40 degrees, of which this is the cosine,
+     * belong to sides of an edge. */
     constexpr double cosine_of_edge = .766;
     /**
      * Normals that differ by less [rad] are those of a plane: friction that a
@@ -36,7 +37,9 @@ namespace conetact::pairing
         return parents.back();
       }
 
-      /** What meets there; nothing happens across an edge. */
+      /**
+       * Joins normals that meet in one place, unless an edge is between them.
+       */
       void
       join(const std::size_t a, const std::size_t b)
       {
@@ -55,6 +58,8 @@ namespace conetact::pairing
         for (std::size_t i = 0; i < normals.size(); ++i)
           {
             const Tensor<1, 3> &sum = sums[root(i)];
+            // The chord stands for the angle: they agree where it is small
+            // enough to matter.
             largest = std::max(largest, (normals[i] - sum / sum.norm()).norm());
           }
         return largest;
@@ -136,6 +141,8 @@ namespace conetact::pairing
       std::map<unsigned int, std::vector<Face>> faces_at;
     };
 
+    /** Compares normals within each side first, then those of faces that face
+     * each other: each side may be plane, and both not parallel. */
     std::string
     why_pair_is_not_plane(
       const Contact                                &contact,
@@ -181,7 +188,11 @@ namespace conetact::pairing
       return both.spread() > flat ? "its two sides are not parallel" : "";
     }
 
-    /** The least of both ways along a tangent: an edge is on one side only. */
+    /**
+     * How far the normal of an obstacle turns over the distance of a neighbour
+     * along a tangent, forth or back: the way on which it turns less counts,
+     * for an edge is on one side only.
+     */
     double
     turn_along(const ContactNode &node, const Tensor<1, 3> &tangent)
     {

@@ -19,7 +19,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Not further away than the surface is large. */
+    /** Refuses a point that is further from all nodes than half the size of the
+     * surface: a slip of the pen would make the nearest node the source. */
     void
     check_point(const std::vector<bodies::SurfaceNode> &nodes,
                 const Point<3>                         &point,

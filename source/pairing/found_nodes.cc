@@ -22,7 +22,7 @@ namespace conetact::pairing
                        "the run that is continued.");
     }
 
-    /** Reads numbers one by one; what is none that was written is refused. */
+    /** Reads numbers one by one; refuses what cannot have been written. */
     class Numbers
     {
     public:
@@ -67,7 +67,7 @@ namespace conetact::pairing
       {"masters", &ContactNode::masters, &ContactNode::master},
       {"slaves", &ContactNode::slaves, &ContactNode::body}};
 
-    /** Of each node how many others it has, then these and their weights. */
+    /** Writes how many others each node has, then these and their weights. */
     std::vector<double>
     to_numbers(const std::vector<ContactNode> &nodes, const SideRow &side)
     {
@@ -107,7 +107,7 @@ namespace conetact::pairing
         refuse("there are weights of other contact nodes");
     }
 
-    /** What tells nodes apart, as they are at the start. */
+    /** The numbers that tell nodes apart, as they are at the start. */
     std::vector<double>
     fingerprint(const std::vector<ContactNode> &nodes)
     {
@@ -266,6 +266,8 @@ namespace conetact::pairing
         frames[b].translation = translations[b];
         for (unsigned int d = 0; d < 3; ++d)
           frames[b].rotation[d] = rows[3 * b + d];
+        // Rows of a rotation are orthonormal; written with all digits they are
+        // so to rounding.
         const Tensor<2, 3> one =
           frames[b].rotation * transpose(frames[b].rotation);
         if (!((one - dealii::unit_symmetric_tensor<3>()).norm() < rounding))

@@ -59,6 +59,7 @@ namespace conetact::pairing
     return mu.uses(name) || (second && second->uses(name));
   }
 
+  /** The Shear limit tau as a force of a node, tau times its area. */
   double
   FrictionLaw::largest_force(const Situation &at, const double area) const
   {

@@ -13,9 +13,11 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Of the size of a surface: points further apart are never joined. */
+    /** Points further apart than this part of the size of a surface are never
+     * joined, but for the rounding of their coordinates. */
     constexpr double largest_distance = 1e-5;
-    /** Of the largest coordinate: what single precision leaves of digits. */
+    /** Points that are one may differ by this part of the largest coordinate in
+     * a file of single precision. */
     constexpr double single_precision = 5e-7;
 
     /** Numbers points; those within a distance of the first one are one. */
@@ -29,6 +31,8 @@ namespace conetact::pairing
       unsigned int
       number(const Point<3> &p)
       {
+        // Boxes are as wide as the distance: what is near p is in its box or in
+        // one of the 26 around it.
         const Box own = box(p);
         for (unsigned int i = 0; i < (distance > 0 ? 27u : 1u); ++i)
           {
@@ -87,8 +91,8 @@ namespace conetact::pairing
       return result;
     }
 
-    /** Whether each edge of a face is that of one other face, which runs the
-     * other way; of lines, whether one begins where another ends. */
+    /** Tells whether each edge of a face is that of one other face, which runs
+     * the other way; of lines, whether one begins where another ends. */
     bool
     is_closed(const SurfaceFaces &mesh)
     {
@@ -120,7 +124,8 @@ namespace conetact::pairing
              });
     }
 
-    /** Whether an edge is so short that its ends are meant to be one point. */
+    /** Tells whether an edge is so short that its ends are meant to be one
+     * point. */
     bool
     has_lost_edge(const SurfaceFaces &mesh, const double size)
     {
@@ -150,6 +155,9 @@ namespace conetact::pairing
       }
     if (is_closed(exact) && !has_lost_edge(exact, reach))
       return exact;
+    // The least distance that closes the surface is taken: files write each
+    // point once for each of its faces, with a rounding that nobody tells, and
+    // a larger distance would join what is apart.
     const double last = largest_distance * size + single_precision * reach;
     for (double d = first * reach; d <= last; d *= step)
       if (SurfaceFaces mended = joined_within(mesh, d);

@@ -100,6 +100,8 @@ namespace conetact::pairing
                         0.;
   }
 
+  /** The closing C(p) p; below the largest pressure P so far it is C(P) P -
+   * U(P) (P - p), which at p = P is the same. */
   double
   LayerLaw::closing(const Situation &at) const
   {
@@ -114,8 +116,9 @@ namespace conetact::pairing
   double
   LayerLaw::unloading_by_pressure(const Situation &at) const
   {
-    Situation most     = at;
-    most.pressure      = at.packed;
+    Situation most = at;
+    most.pressure  = at.packed;
+    // With U above C, C(P) P - U(P) (P - p) would be negative at p = 0.
     const double back  = not_negative(*unloading, most, where + unloads);
     const double there = closing_by_pressure(most);
     if (back > there * (1 + 1e-12))

@@ -16,6 +16,8 @@ namespace conetact::pairing
     if (of_master * outward > -opposite * of_master.norm() ||
         of_master.norm() == 0)
       return -outward;
+    // The normal points from the master to the slave, half way between that out
+    // of the master and that into the slave.
     const Tensor<1, 3> n = of_master / of_master.norm() - outward;
     return n / n.norm();
   }

@@ -33,6 +33,8 @@ namespace conetact::pairing
      */
     constexpr double cosine_to_edge = .94;
 
+    /** The cosine of the smallest angle between a master's normal and the
+     * normals of a slave, reversed. */
     double
     largest_cosine(const Tensor<1, 3>              &normal,
                    const std::vector<Tensor<1, 3>> &slave_normals)
@@ -79,7 +81,9 @@ namespace conetact::pairing
         take(-n);
     }
 
-    /** Whether all that a node sees of a line is in the plane of x and y. */
+    /**
+     * Tells whether all that a node sees of a line is in the plane of x and y.
+     */
     bool
     is_plane(const std::vector<Point<3>>     &corners,
              const std::vector<Tensor<1, 3>> &slave_normals,
@@ -168,8 +172,8 @@ namespace conetact::pairing
   }
 
   /**
-   * From the foot to p, without what a node overhangs the rim; none if that is
-   * too much and the node stands beside the surface. Facets of a curved
+   * The arm from the foot to p, without what a node overhangs the rim; none if
+   * that is too much and the node stands beside the surface. Facets of a curved
    * surface end at an angle to it: what they miss by that is no overhang.
    */
   std::optional<Tensor<1, 3>>
@@ -192,13 +196,16 @@ namespace conetact::pairing
     return over;
   }
 
-  /** Over a face, or beyond its sharp edge by next to nothing. */
+  /** Meets a face that p is over, or a little beyond the sharp edge of. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet_face(const Feature                   &feature,
                            const Tensor<1, 3>              &arm,
                            const std::vector<Tensor<1, 3>> &slave_normals,
                            const Limits                    &limits) const
   {
+    // Beside a sharp edge a node that overhangs by next to nothing is still
+    // over the face; beside a smooth one it meets the edge unless it is
+    // straight above the face. On a face alone there is nothing else to meet.
     const double           allowed = feature.size() == 1 ? 1 :
                                      is_sharp(feature)   ? overhang :
                                                            round_off;
@@ -219,7 +226,7 @@ namespace conetact::pairing
     return best;
   }
 
-  /** On an edge or vertex of the surface. */
+  /** Meets an edge or vertex of the surface. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet_edge(const Feature                   &feature,
                            const Tensor<1, 3>              &arm,
@@ -227,6 +234,9 @@ namespace conetact::pairing
                            const Limits                    &limits) const
   {
     const double distance = arm.norm();
+    // Where the node touches, its direction from the edge is rounding: of the
+    // cone that normals around the edge span, the one is taken that opposes the
+    // slave most.
     if (distance <= touching * faces.all()[feature[0].face].size)
       {
         std::vector<Tensor<1, 3>> cone;
@@ -299,6 +309,9 @@ namespace conetact::pairing
       return gap >= -limits.interference;
     if (!limits.inside)
       return false;
+    // Well inside the body any depth is an interference. Near its boundary, as
+    // at the side of a block that another one is pressed into, the point may be
+    // beside the body, and only as deep as interferences are.
     const double distance = whole->signed_distance(p);
     return distance < -overhang ||
            (distance <= overhang && gap >= -limits.interference);
@@ -309,7 +322,8 @@ namespace conetact::pairing
                       const std::vector<Tensor<1, 3>> &slave_normals,
                       const Limits                    &limits) const
   {
-    // most feet are near; a loop over all faces is cheap for the others
+    // Most feet are near. The nearest foot of a ball is the nearest of all, and
+    // for what has none in these balls a loop over all faces is cheap.
     for (const double faces_away : {1., 4., 16.})
       if (const double radius = faces_away * typical_size;
           radius < limits.reach)
@@ -323,8 +337,9 @@ namespace conetact::pairing
     return nearest_foot(p, slave_normals, limits, every_face);
   }
 
-  /* A bent face is met where it is, unless that is its sharp edge: there the
-     foot of its chords is no end of a normal of it. */
+  /* Meets a bent face where it is: at the point from which p lies along the
+     face's own normal. At its sharp edge there is no such point near the foot
+     on chords, and what is met there stays. */
   MasterSurface::Foot
   MasterSurface::foot_on(const FaceNet::Face         &face,
                          const Point<3>              &p,
@@ -374,6 +389,8 @@ namespace conetact::pairing
             !may_be_behind(p, meeting->gap, all[f], all[f].size, limits))
           continue;
         const double cosine = largest_cosine(meeting->normal, slave_normals);
+        // Feet that are as near, as on both faces of an edge, are told apart by
+        // which of them opposes the slave more.
         if (at.distance == nearest && cosine <= opposes)
           continue;
         nearest = at.distance;

@@ -23,24 +23,30 @@ namespace conetact::pairing
   {
     using Eigen::Index;
 
-    /** A face of which less is covered sees nothing. */
-    constexpr double least_covered = 1e-12;
     /**
-     * How far beyond a rim a node still faces the master, in sizes of its face:
-     * coordinates of mesh files have six to eight digits.
+     * A slave face sees nothing where its shape functions integrate to less
+     * than this part of its size squared (in the plane: of its size), times the
+     * radius round an axis: clipping leaves such parts by rounding.
      */
+    constexpr double least_covered = 1e-12;
+    /** A node up to this far beyond a rim, in sizes of its face, still faces
+     * the master: coordinates of mesh files have six to eight digits. */
     constexpr double face_overhang = 1e-2;
-    /** The same of a node that faced it where bodies stood last: so contacts
-     * that slide are not found with it and without it in turn. */
+    /**
+     * A node that faced the master where bodies stood last does so up to this
+     * overhang, in sizes of its face. Without the difference, contacts that
+     * slide would be found with the node and without it in turn.
+     */
     constexpr double face_overhang_of_faced = .1;
     /**
-     * Of a face: where little of it is seen, means over dual functions reach
-     * beyond what they are means of, gaps by no more than this.
+     * Dual functions change their sign: where little of a face is seen, the
+     * mean gap that they weigh may be below all gaps there. This part of the
+     * size of the master's faces is what it may be below them.
      */
     constexpr double beyond_seen = .01;
 
-    /** Of one slave face with shape functions N_k, over the parts of it that
-     * see the master. */
+    /** Integrals over the parts of one slave face that see the master, with its
+     * shape functions N_k. */
     struct FaceIntegrals
     {
       Eigen::MatrixXd                         linear;  ///< linear_functions()
@@ -55,7 +61,11 @@ namespace conetact::pairing
       double lowest = std::numeric_limits<double>::max(); ///< gap [length]
     };
 
-    /** The radius at a point of a face, where bodies go round an axis. */
+    /**
+     * The radius r at a point of a face of a body that goes round an axis:
+     * areas there are integrals of r ds, without the factor 2 pi, which
+     * thickness_of() gives.
+     */
     double
     radius(const FaceNet::Face &face, const Eigen::Vector4d &shape)
     {
@@ -67,8 +77,10 @@ namespace conetact::pairing
 
     /**
      * Shape functions of skew faces are series in their skewness s, with
-     * polynomials of degree k + 2 at s^k: what is cut off is below 1e-10. Those
-     * of second degree take products of degree 8 as well.
+     * polynomials of degree k + 2 at s^k: at these bounds what is cut off is
+     * below 1e-10. Products of two functions of second degree have up to degree
+     * 8 even on parallelograms, where level 0 is exact to degree 5 only: they
+     * need one level more.
      */
     unsigned int
     level_for(const double skewness, const bool second_degree)
@@ -100,9 +112,11 @@ namespace conetact::pairing
     }
 
     /**
-     * Of the normals of a bent slave with that of the row. A uniform pressure p
-     * does the work p area w in a way w along all of them, of which the row
-     * sees mean_cosine w: its reaction is that of the area over mean_cosine.
+     * The mean cosine c = -n . int psi_j n_s / D_j of the normals n_s of a bent
+     * slave with that of the row, which points the other way. A uniform
+     * pressure p does the work p D_j w in a way w along all of these normals,
+     * of which the row sees c w: so its reaction is p D_j / c, as that of a
+     * flat area D_j / c.
      */
     double
     mean_cosine(const MortarRow &row, const Tensor<1, 3> &n)
@@ -112,6 +126,12 @@ namespace conetact::pairing
       return bounded_cosine(-(row.slave_normals * n) / row.area);
     }
 
+    /**
+     * Sums the integrals of all slave faces up to D_j and M_jl of the nodes'
+     * rows (mortar.h). Faces with nodes beyond a rim come last: which of these
+     * nodes have functions is known only when all faces around them were
+     * integrated.
+     */
     class Mortar
     {
     public:
@@ -146,6 +166,8 @@ namespace conetact::pairing
       nodes()
       {
         std::multimap<unsigned int, const MortarRow *> rows_of;
+        // Finite sliding finds the rows of a node again by their order: there
+        // must be as many wherever it is, so those without area stay, apart.
         for (const MortarRow &row : rows.all())
           if (row.area > 0 || contact.slides)
             rows_of.emplace(row.node, &row);
@@ -179,8 +201,11 @@ namespace conetact::pairing
       }
 
     private:
-      /** Facets of a smooth surface turn by up to the angle of a sharp edge:
-       * those of two surfaces that touch differ by half of it. */
+      /**
+       * Facets of a smooth surface turn by up to the angle of a sharp edge:
+       * those of two surfaces that touch differ by half of it. Normals at just
+       * this angle may meet, whatever their rounding.
+       */
       MasterSurface::Limits
       limits(const double face_size) const
       {
@@ -192,6 +217,12 @@ namespace conetact::pairing
                 contact.body != contact.master};
       }
 
+      /**
+       * Integrates over the segments that a slave face and the master have in
+       * common. Points correspond along the normal of the slave face, in whose
+       * plane faces are clipped; `stretch` is dA on the slave over dA in the
+       * plane.
+       */
       FaceIntegrals
       integrate(const FaceNet::Face &face) const
       {
@@ -234,6 +265,9 @@ namespace conetact::pairing
                 const auto opposite         = part.projected.over(here.place);
                 const Eigen::VectorXd there = nodal_shapes(other, opposite);
                 sums.slave_normals += weighted * here.normal.transpose();
+                // Normals of what is seen are on the side of the plane's
+                // normal, which looks out of the slave: those out of the master
+                // are opposite.
                 sums.master_normals -= weighted * opposite.normal.transpose();
                 sums.lowest =
                   std::min(sums.lowest, opposite.height - here.height);
@@ -305,6 +339,7 @@ namespace conetact::pairing
       std::vector<Index>
       kept(const std::size_t f, const Eigen::VectorXd &areas)
       {
+        // The first of equals is taken, whatever the rounding of their areas.
         constexpr double   rounding = 1e-9;
         std::vector<Index> own;
         Index              most = 0;
@@ -318,13 +353,19 @@ namespace conetact::pairing
         return own.empty() ? std::vector<Index>{most} : own;
       }
 
-      /** Dual to the functions of nodes that contacts stand at, on the covered
-       * part: so D is diagonal where faces are covered in part, too. */
+      /**
+       * The functions psi_j of a face, rows in terms of its N_k, dual on the
+       * part that is covered. Those that are dual on the whole face would leave
+       * D with entries beside its diagonal where a face is covered in part:
+       * reactions would no longer have one node each.
+       */
       static Eigen::MatrixXd
       dual_to(const FaceIntegrals &sums, const std::vector<Index> &own)
       {
         const Eigen::MatrixXd &linear = sums.linear;
-        constexpr double enough = .5; // else shape functions are much alike
+        // On less of a face the functions of second degree are much alike, and
+        // what corner_functions() solves with, their mass, is nearly singular.
+        constexpr double enough = .5;
         if (linear.rows() < linear.cols() && sums.part > enough &&
             static_cast<Index>(own.size()) == linear.rows())
           return corner_functions(sums.mass, linear);
@@ -334,6 +375,11 @@ namespace conetact::pairing
                linear;
       }
 
+      /**
+       * Adds a face to the rows of its kept nodes: psi_j = sum_k A_jk N_k, so
+       * D, M and the means of normals are A (`dual`) times integrals of the
+       * N_k.
+       */
       void
       add(const std::size_t f, const FaceIntegrals &sums)
       {
@@ -365,6 +411,8 @@ namespace conetact::pairing
             seen.insert(row.node);
       }
 
+      /** Makes a contact node of a row, with the weights of v_j = D_j^-1 (sum_k
+       * int psi_j N_k u_k - sum_l M_jl u_l). */
       ContactNode
       mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
@@ -376,7 +424,8 @@ namespace conetact::pairing
         node.mean_cosine = mean_cosine(row, node.n);
         node.area        = thickness * row.area / node.mean_cosine;
         node.slaves      = weights_of(row.slaves, row.area);
-        // biorthogonal: a node meets the master by itself unless it took over
+        // Biorthogonal functions leave a node its own displacement alone,
+        // unless it took over what others gave up.
         if (node.slaves.size() == 1)
           node.slaves.clear();
         node.gap = gap(node);
@@ -387,8 +436,12 @@ namespace conetact::pairing
         return node;
       }
 
-      /** Where faces are bent, of their normals the means over the row's own
-       * functions: at rims, too, they are those of the node. */
+      /**
+       * The normal of a row, half way between those of both sides. That of a
+       * bent side is the mean over the row's own functions, at rims as well;
+       * that of another one the sum over the slave's faces, or the mean over
+       * the master's nodes.
+       */
       Tensor<1, 3>
       normal(const MortarRow                                    &row,
              const std::vector<std::pair<unsigned int, double>> &masters) const
@@ -411,6 +464,7 @@ namespace conetact::pairing
       {
         if (!contact.gap)
           return undeformed_distance(node, structures) * node.n;
+        // A prescribed gap is a way along all normals of a bent face.
         return node.mean_cosine * one_by_one.prescribed_gap(node);
       }
 

@@ -16,17 +16,24 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Covered less than this part a node leaves its pressure to others. */
+    /** A row that covers less than this part of its faces' shares leaves its
+     * pressure to others, for D_j^-1 would blow up. */
     constexpr double next_to_nothing = 1e-3;
     /**
-     * Shape functions of second degree change their sign: near a rim what a
-     * corner has is below 0 or cancels, and means over it reach far.
+     * Rows on faces of second degree must cover more: functions of their
+     * corners change their sign, so that near a rim their integrals cancel, and
+     * a mean over what is left reaches far.
      */
     constexpr double next_to_cancelled = .1;
-    /** What has a row of its own beyond a rim is at most so much smaller than
-     * its neighbours: on a sliver forces would be large pressures. */
+    /**
+     * Where no neighbour stands, a row that does not stand goes to those that
+     * have more than this many times its area: on a sliver beside them its
+     * forces would be large pressures.
+     */
     constexpr double much_more = 4;
 
+    /** The area of a face; round an axis the length times the mean radius,
+     * which leaves the factor 2 pi to thickness_of(). */
     double
     area_of(const FaceNet::Face &face, const bool axisymmetric)
     {
@@ -71,7 +78,8 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Of a segment that may be bent, at three Gauss points. */
+    /** The length of a segment that may be bent, the integral of |dx/da| by
+     * three Gauss points at .5 and .5 -+ .5 sqrt(3/5). */
     double
     length_of(const FaceNet::Face &face)
     {
@@ -103,6 +111,7 @@ namespace conetact::pairing
       return 2 * M_PI;
     if (faces.front().corners.size() > 2)
       return 1;
+    // Tributary areas of nodes contain the thickness, lengths of faces do not.
     double area = 0, length = 0;
     for (const bodies::SurfaceNode &node : surface.nodes)
       area += node.area;
@@ -116,6 +125,9 @@ namespace conetact::pairing
   {
     Assert(sum > 0,
            dealii::ExcMessage("Weights are parts of a sum above zero."));
+    // Biorthogonal functions leave rounding in place of zeros. As weights these
+    // would join nodes that have nothing to do with each other, and fill the
+    // matrices of those who use them.
     constexpr double                             rounding = 1e-13;
     std::vector<std::pair<unsigned int, double>> result;
     for (const auto &[node, integral] : integrals)
@@ -203,8 +215,11 @@ namespace conetact::pairing
     return patch;
   }
 
-  /** Whether kept nodes of a patch hold it: two in the plane, in space three
-   * that are not on a line. */
+  /**
+   * Tells whether the kept nodes of a patch hold it upright: two do in the
+   * plane, in space three that are not on a line. About fewer it could turn,
+   * and no row would see it.
+   */
   bool
   MortarRows::spans(const std::vector<std::size_t> &patch,
                     const bodies::Structure        &body) const
@@ -220,6 +235,7 @@ namespace conetact::pairing
         }
     if (x.size() < 2 || !is_space)
       return x.size() > 1;
+    // The line leads from the first node to the one that is furthest from it.
     const auto far =
       std::max_element(x.begin(),
                        x.end(),
@@ -235,6 +251,8 @@ namespace conetact::pairing
   void
   MortarRows::keep_upright(const bodies::Structure &body)
   {
+    // All that see about as much as the best one are kept with it: what is
+    // symmetric differs by rounding and must stay symmetric.
     constexpr double  as_much = .5;
     std::vector<bool> done(rows.size(), false);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -256,6 +274,11 @@ namespace conetact::pairing
           }
   }
 
+  /**
+   * Adds a part of one row's integrals to another row. Area and weights move in
+   * one proportion: the weights of the taker still sum to 1, and no force is
+   * lost.
+   */
   void
   MortarRows::give(const std::size_t from,
                    const std::size_t to,
@@ -285,7 +308,10 @@ namespace conetact::pairing
         }
   }
 
-  /** That of the node on the same side of its edge; a new one if it has none.
+  /**
+   * Finds the row of another node that is on the same side of an edge as this
+   * row, by the smallest angle between their normals that is below a right one;
+   * makes a row where there is none.
    */
   std::size_t
   MortarRows::row_like(const MortarRow &row, const unsigned int node)
@@ -311,6 +337,7 @@ namespace conetact::pairing
     std::map<unsigned int, const bodies::HangingNode *> follows;
     for (const bodies::HangingNode &node : hanging)
       follows[node.node] = &node;
+    // The rows that row_like() adds behind these are those of masters.
     const std::size_t n = rows.size();
     for (std::size_t i = 0; i < n; ++i)
       if (const auto found = follows.find(rows[i].node); found != follows.end())
@@ -333,6 +360,8 @@ namespace conetact::pairing
     return row.kept && row.area > row.least * row.whole;
   }
 
+  /** Finds who takes a row over: neighbours that stand, else those that are
+   * much larger. The latter may have to give on what they take. */
   std::vector<std::size_t>
   MortarRows::takers_of(const MortarRow &row) const
   {
@@ -360,6 +389,7 @@ namespace conetact::pairing
     // so.
     std::vector<Gift> gifts;
     for (std::size_t i = 0; i < rows.size(); ++i)
+      // Areas of functions of second degree may be negative near a rim.
       if (rows[i].area != 0 && !stands(rows[i]))
         {
           Gift   gift{i, rows[i].area, {}};

@@ -15,11 +15,14 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Of an edge: gaps that nothing written down calls near. */
+    /**
+     * Sides are near up to this part of an edge where the scene says no gap.
+     */
     constexpr double near_part = .25;
-    /** Of an edge: gaps are known to that. */
+    /** Gaps are known to this part of an edge. */
     constexpr double gap_rounding = 1e-6;
-    /** Edges that differ by less are alike. */
+    /** A side is finer than another one if its edges are shorter by this
+     * factor: others are alike, and rounding must not choose between them. */
     constexpr double clearly_finer = .9;
 
     double
@@ -48,7 +51,11 @@ namespace conetact::pairing
       return nodes;
     }
 
-    /** Along the axis on which they are furthest apart; 0: they overlap. */
+    /**
+     * The distance of two boxes along the axis on which they are furthest
+     * apart: a bound from below of that of what is in them. It is 0 where they
+     * overlap.
+     */
     double
     distance(const dealii::BoundingBox<3> &one,
              const dealii::BoundingBox<3> &other)
@@ -68,7 +75,8 @@ namespace conetact::pairing
       return node.gap <= gap_rounding * node.spacing;
     }
 
-    /** Whether one of two contacts of a node is in the way of the other. */
+    /** Tells whether one of two contacts of a node is in the way of the other:
+     * nearer, and in about the same direction. */
     bool
     is_nearer(const ContactNode &one, const ContactNode &other)
     {
@@ -77,7 +85,7 @@ namespace conetact::pairing
              one.gap < (1 - 1e-6) * other.gap && one.n * other.n > alike;
     }
 
-    /** Whether faces at the node look at what is met along n. */
+    /** Tells whether faces at the node look at what is met along n. */
     bool
     looks_at(const bodies::SurfaceNode &node,
              const Tensor<1, 3>        &n,
@@ -125,7 +133,8 @@ namespace conetact::pairing
     return patch;
   }
 
-  /** Of a body of revolution, where it meets itself. */
+  /** Tells whether a patch is the axis of a body of revolution, where that has
+   * no surface. */
   bool
   NearSearch::is_the_axis(const Patch &patch, const bodies::Structure &body)
   {
@@ -139,8 +148,8 @@ namespace conetact::pairing
     return largest_gap.value_or(near_part * edge) + gap_rounding * edge;
   }
 
-  /** What of a body is near the box of another one: bodies that stand deep in
-   * each other are near as well. */
+  /** The faces of a body that are near the box of another one, patch by patch:
+   * bodies that stand deep in each other are near as well. */
   NearSearch::Side
   NearSearch::side_near(const unsigned int body, const unsigned int other) const
   {
@@ -157,7 +166,8 @@ namespace conetact::pairing
     return side;
   }
 
-  /** Blocks that stand corner to corner have no face in common. */
+  /** Tells whether a node meets nothing but an edge of its master: blocks that
+   * stand corner to corner have no face in common. */
   bool
   NearSearch::meets_an_edge(const ContactNode &node) const
   {
@@ -169,12 +179,14 @@ namespace conetact::pairing
           ++n_met;
           n_sharp += sharp[node.master].count(master) > 0;
         }
-    // of a continuum: faces have two nodes in the plane, three or more in space
+    // A point within a face of a continuum has weights of two nodes in the
+    // plane, of three or more in space.
     const unsigned int inside = structures[node.master]->n_components();
     return !node.is_mean && n_met < inside && n_sharp == n_met;
   }
 
-  /** What nodes of the slave meet of bodies other than the master. */
+  /** Pairs nodes of the slave with the bodies other than the master, which may
+   * stand between both. */
   std::vector<ContactNode>
   NearSearch::nodes_on_others(const Contact &trial, const double gap) const
   {
@@ -196,6 +208,8 @@ namespace conetact::pairing
     return nodes;
   }
 
+  /** Tells whether the sides of a trial contact meet: a node touches, or is
+   * near while no other body is nearer in that direction. */
   bool
   NearSearch::meet(const Contact &trial, const double gap) const
   {
@@ -210,7 +224,7 @@ namespace conetact::pairing
                 nodes.end());
     if (std::any_of(nodes.begin(), nodes.end(), &touches))
       return true;
-    // What stands between them hides one from the other.
+    // Something between the sides hides one from the other.
     const std::vector<ContactNode> others =
       nodes.empty() ? nodes : nodes_on_others(trial, gap);
     return std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &n) {
@@ -239,8 +253,9 @@ namespace conetact::pairing
     trial.pairing = "mortar";
     trial.body    = slave.body;
     trial.master  = master.body;
-    // Sides that stand deep in each other are refused with all others, but
-    // only where nothing else of the bodies meets.
+    // The second reach is as far as both bodies: it finds sides that stand deep
+    // in each other, to be refused with all others, but only where nothing else
+    // of the bodies meets.
     const double edge    = std::max(slave.edge, master.edge);
     const auto   meeting = [&]() -> std::optional<NearSides> {
       for (const double reach : {std::max(gap, interference_allowed(law, edge)),
@@ -266,7 +281,7 @@ namespace conetact::pairing
     return found;
   }
 
-  /** Of the finest of some faces. */
+  /** The mean edge of the finest of these patches. */
   double
   NearSearch::edge_of(const unsigned int         body,
                       const bodies::BoundaryIds &ids) const
@@ -279,7 +294,8 @@ namespace conetact::pairing
   }
 
 
-  /** Those of the ids of both bodies that meet others. */
+  /** Leaves of both sides the ids that meet: those of the slave against the
+   * whole master, then those of the master against these. */
   std::optional<NearSides>
   NearSearch::sides_that_meet(Contact                    trial,
                               const bodies::BoundaryIds &slaves,

@@ -11,7 +11,8 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Products of what the ends and the middle of a segment have. */
+    /** Products of what the ends and the middle of a segment have, in the order
+     * of deal.II: corners, edges a = 0, a = 1, b = 0, b = 1, the middle. */
     std::vector<double>
     products(const std::size_t            n_nodes,
              const std::array<double, 3> &a,
@@ -29,7 +30,8 @@ namespace conetact::pairing
               a[2] * b[1],
               a[2] * b[2]};
     }
-    /** Corners, then the middles of the edges 01, 12, 20. */
+    /** Functions l (2 l - 1) of the corners and 4 l l' of the middles of the
+     * edges 01, 12, 20, with the area coordinates l. */
     std::vector<double>
     of_triangle(const double a, const double b)
     {
@@ -64,7 +66,8 @@ namespace conetact::pairing
     return products(n_nodes, of_segment(at[0]), of_segment(at[1]));
   }
 
-  /* Differences about the point are exact for functions of second degree. */
+  /* Differences over half a unit to either side are exact for functions of
+     second degree in each coordinate. */
   std::array<std::vector<double>, 2>
   nodal_shape_slopes(const std::size_t            n_nodes,
                      const std::size_t            n_corners,
@@ -91,7 +94,9 @@ namespace conetact::pairing
     if (n_nodes == n_corners)
       return std::vector<double>(n_nodes, 1. / static_cast<double>(n_nodes));
     if (n_corners == 3)
+      // A uniform pressure leaves the corners of six nodes without any force.
       return {0, 0, 0, 1. / 3, 1. / 3, 1. / 3};
+    // Simpson's rule.
     constexpr std::array<double, 3> of_segment = {{1. / 6, 1. / 6, 4. / 6}};
     return products(n_nodes, of_segment, of_segment);
   }

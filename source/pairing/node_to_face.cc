@@ -165,7 +165,8 @@ namespace conetact::pairing
   {
     auto normals = s.normals;
     if (surface.two_sided)
-      // Members of frames have no outside.
+      // Members of frames have no outside: both sides of them look at the
+      // master.
       normals.push_back(-s.normal);
     auto found = foot(s, normals);
     if (!found)
@@ -207,6 +208,11 @@ namespace conetact::pairing
       deepest = {node.position, node.gap, bound};
   }
 
+  /**
+   * Finds the sides of sharp edges, which are the rows that a mortar surface
+   * would have at a node. Where no node has normals of several patches there is
+   * none: that is asked first, for it is cheap.
+   */
   void
   NodeToFace::find_edges()
   {
@@ -244,6 +250,8 @@ namespace conetact::pairing
     return found;
   }
 
+  /** Tells whether faces on a side oppose what a row meets, within the Largest
+   * angle. */
   bool
   NodeToFace::sees(const Side &side, const ContactNode &row) const
   {
@@ -252,13 +260,18 @@ namespace conetact::pairing
            std::cos(contact.largest_angle) - rounding;
   }
 
-  /** What faces on another side of an edge meet, along another normal than the
-   * first row of the node. */
+  /**
+   * The row of faces on another side of an edge, along another normal than the
+   * first row of the node has. Where normals differ by less than a sharp edge
+   * there is none, for the first row holds that direction.
+   */
   std::optional<ContactNode>
   NodeToFace::find_other(const bodies::SurfaceNode &s,
                          const Side                &side,
                          const ContactNode         &first) const
   {
+    // A depth below `rounding` is none; `off` is how far the node is taken
+    // beyond its way out of the first face, to be clear of it.
     constexpr double rounding = 1e-6, off = .02; // of a cell
     const auto       foot =
       master->foot(s.position, {side.outward}, limits(first.spacing));
@@ -267,7 +280,8 @@ namespace conetact::pairing
     if (foot->gap < -rounding * first.spacing)
       {
         // Behind both faces of a master's own edge it is enough to come out of
-        // one, in a corner of the master it is not.
+        // one, in a corner of the master it is not: there the node is still
+        // behind this face when it has come out along the first normal.
         const Point<3> beyond =
           s.position +
           (off * first.spacing - std::min(first.gap, 0.)) * first.n;
@@ -287,6 +301,8 @@ namespace conetact::pairing
     return node;
   }
 
+  /** A node at a sharp edge has one row for each direction in which its sides
+   * are stopped, and the area of its faces is shared among these rows. */
   std::vector<ContactNode>
   NodeToFace::find_sides(const bodies::SurfaceNode &s)
   {
@@ -301,11 +317,13 @@ namespace conetact::pairing
                     apart(s, s.normals.empty() ? s.normal : s.normals.front()));
         return rows;
       }
-    // it is that of the side that looks at it most
+    // The first row is that of the side which looks most against its normal.
     const auto of_first = std::min_element(
       sides.begin(), sides.end(), [&](const Side &a, const Side &b) {
         return first && a.outward * first->n < b.outward * first->n;
       });
+    // The first row bears the areas of all sides that it serves: its own side,
+    // and those that have no row of their own but look at what it meets.
     double      covered   = 0; // of the area, by the first row
     std::size_t first_row = 0;
     for (auto side = sides.begin(); side != sides.end(); ++side)

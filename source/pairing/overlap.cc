@@ -18,7 +18,11 @@ namespace conetact::pairing
     using Box     = dealii::BoundingBox<3>;
     using Corners = std::vector<Point<3>>; // of a segment or a triangle
 
-    /** A direction that no mesh has; in the plane its last part is left out. */
+    /**
+     * A direction that no mesh has: rays along axes would run through edges and
+     * nodes, where a crossing is counted twice or not at all. In the plane its
+     * last part is left out.
+     */
     const Tensor<1, 3> odd_direction({.5773, .6118, .5407});
 
     std::vector<Corners>
@@ -48,7 +52,7 @@ namespace conetact::pairing
       return faces;
     }
 
-    /** Whether the ray from p in the odd direction meets a segment. */
+    /** Tells whether the ray from p in the odd direction meets a segment. */
     bool
     meets_segment(const Point<3> &p, const Corners &face)
     {
@@ -63,8 +67,8 @@ namespace conetact::pairing
       return meet[0] * odd_direction[0] + meet[1] * odd_direction[1] > 0;
     }
 
-    /** The same of a triangle (Moller and Trumbore, J. Graphics Tools 2 (1997)
-     * 21-28). */
+    /** Tells whether the ray from p in the odd direction meets a triangle
+     * (Moller and Trumbore, J. Graphics Tools 2 (1997) 21-28). */
     bool
     meets_triangle(const Point<3> &p, const Corners &face)
     {
@@ -80,6 +84,8 @@ namespace conetact::pairing
       return u >= 0 && v >= 0 && u + v <= 1 && f * r / d > 0;
     }
 
+    /** A point is inside of a closed surface if a ray from it meets the surface
+     * an odd number of times. */
     bool
     is_inside(const Point<3> &p, const std::vector<Corners> &faces)
     {

@@ -18,7 +18,9 @@ namespace conetact::pairing
   {
     using Weights = std::vector<std::pair<unsigned int, double>>;
 
-    /** At no place: springs say themselves where they end. */
+    /**
+     * The shape of what is at no place: springs say themselves where they end.
+     */
     class Nowhere : public ObstacleShape
     {
     public:
@@ -55,7 +57,7 @@ namespace conetact::pairing
           weights.emplace_back(i / body.n_components(), part);
         else
           moments = std::max(moments, std::abs(part));
-      // members share out a force by moments, too
+      // Members share out a force to their nodes by moments, too.
       if (moments > 1e-12 || weights.empty())
         throw InputError(
           in + to_text(p) +
@@ -104,7 +106,8 @@ namespace conetact::pairing
     node.obstacle = contact.obstacle;
     node.n        = spring.normal();
     node.gap      = spring.gap();
-    node.spacing  = size_of(body, body) / 100;
+    // A spring has no faces: a part of the body stands for their edges.
+    node.spacing = size_of(body, body) / 100;
     if (contact.obstacle == nullptr)
       {
         node.master  = contact.master;

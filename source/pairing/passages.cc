@@ -17,14 +17,20 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Of a face: so far a node that touches it at the start may be inside. */
+    /** A node that touches a face counts as outside at the start though it is
+     * this part of the face's size inside. */
     constexpr double touching = 2e-3;
-    /** Of a face: so far beside it what crosses its plane goes through it. */
+    /**
+     * A node that crosses the plane of a face up to this part of its size
+     * beside it goes through it: faces overlap, so that nothing slips through
+     * between two of them.
+     */
     constexpr double overlap = 1e-3;
-    /** Of its way inside: what is no deeper on half the way slides along. */
+    /** A node that is no deeper than this part of its way inside, at half of
+     * that, slides along the boundary. */
     constexpr double skims = 1e-3;
 
-    /** From one place to the next. */
+    /** The place at a time, on the straight line from one place to the next. */
     Point<3>
     between(const std::vector<Point<3>> &places, const double when)
     {
@@ -56,10 +62,13 @@ namespace conetact::pairing
   {
     const bodies::Surface boundary = body.surface(body.boundary_ids());
     const auto            n        = static_cast<double>(boundary.nodes.size());
+    // Ways of all nodes are relative to the middle of the boundary: where both
+    // bodies move together they are short and nearly straight, and the balls
+    // around them are small.
     for (const bodies::SurfaceNode &node : boundary.nodes)
       for (unsigned int k = 0; k < n_places; ++k)
         middle[k] += Tensor<1, 3>(way.at(node.node, part(k))) / n;
-    // also of hanging nodes, which surfaces leave out
+    // Faces have hanging nodes as well, which surfaces leave out.
     for (const bodies::SurfaceFace &face : boundary.faces)
       for (const unsigned int node : face.nodes)
         if (places[node].empty())
@@ -109,6 +118,8 @@ namespace conetact::pairing
         face.size =
           std::max(face.size, undeformed[0].distance(undeformed.back()));
       }
+    // The point (.25, .25) is inside both the unit square and the unit
+    // triangle.
     if (face_normal_at(undeformed, {{.25, .25}}) * from.normal < 0)
       face.side = -1;
     faces.push_back(std::move(face));
@@ -131,7 +142,8 @@ namespace conetact::pairing
     return face.side * face_normal_at(corners_of(face, when), {{.25, .25}});
   }
 
-  /** Over the plane of the face, negative: below. */
+  /** The height over the plane of a face; below it, in the body, it is
+   * negative. */
   double
   MovingBoundary::height(const Face   &face,
                          const Places &node,
@@ -141,7 +153,7 @@ namespace conetact::pairing
     return normal_of(face, when) * (between(node, when) - corner);
   }
 
-  /** Whether what is in the plane of the face is in the face. */
+  /** Tells whether a point in the plane of a face is in the face. */
   bool
   MovingBoundary::is_inside(const Face   &face,
                             const Places &node,
@@ -154,6 +166,11 @@ namespace conetact::pairing
     return (miss - (miss * n) * n).norm() <= overlap * face.size;
   }
 
+  /**
+   * Adds the times at which the height over the plane of a face changes its
+   * sign while the node is within the face. Height zero is outside: a node that
+   * only touches has not come in.
+   */
   void
   MovingBoundary::find_crossings(const unsigned int     f,
                                  const Places          &node,
@@ -174,7 +191,11 @@ namespace conetact::pairing
       }
   }
 
-  /** Between the place before k, and k, where heights have different signs. */
+  /**
+   * The time between place k - 1 and place k at which the height vanishes, by
+   * the regula falsi: it would be linear but for how the face turns and
+   * stretches.
+   */
   double
   MovingBoundary::time_of_crossing(const Face        &face,
                                    const Places      &node,
@@ -204,7 +225,8 @@ namespace conetact::pairing
     return when;
   }
 
-  /** Not more than below the face where it came in. */
+  /** The distance from the boundary at the end, at most `depth`, which is that
+   * below the face where the node came in. */
   double
   MovingBoundary::depth_at_end(double depth, const Point<3> &p) const
   {
@@ -215,8 +237,11 @@ namespace conetact::pairing
     return depth;
   }
 
-  /** To the nearest face that looks the other way, if that is not far beside
-   * the depth. */
+  /**
+   * The thickness of the body around a node inside: its depth, and from there
+   * on to the nearest face that looks the other way. One that is far beside the
+   * depth is not looked for.
+   */
   double
   MovingBoundary::thickness_at_end(const Passage  &passage,
                                    const Point<3> &p) const
@@ -251,13 +276,17 @@ namespace conetact::pairing
     found.left        = normal_of(other, last);
     for (unsigned int k = 0; k < n_places; ++k)
       if (k > in.when && k < out->when)
+        // A node between both faces is as deep as it is below the nearer one.
         found.depth =
           std::max(found.depth,
                    std::min(-height(face, node, k), -height(other, node, k)));
     return found;
   }
 
-  /** Of a node that is inside at the start: it may have come in there. */
+  /**
+   * The face that may be entered and is nearest to a node at the start: nobody
+   * knows how a node came in that is inside then, but it may have been there.
+   */
   unsigned int
   MovingBoundary::nearest_entry(const Places &node) const
   {
@@ -286,8 +315,8 @@ namespace conetact::pairing
             faces[entry].size};
   }
 
-  /** Whether a node that seems to be inside slides along a face, as one of a
-   * body that is flush with another. */
+  /** Tells whether a node that seems to be inside slides along a face, as one
+   * of a body that is flush with another. */
   bool
   MovingBoundary::slides_along(const Places &node,
                                const double  from,
@@ -318,8 +347,10 @@ namespace conetact::pairing
                 return one.when < other.when;
               });
     std::vector<Passage> found;
+    // Without a crossing the node stays on its side, and `inside_by` with it.
     if (crossings.empty())
       return found;
+    // A node that goes out first was inside at the start.
     if (!crossings[0].is_inwards && !slides_along(node, 0, crossings[0].when))
       found.push_back(
         passage_from_inside(inside_by ? *inside_by : nearest_entry(node),

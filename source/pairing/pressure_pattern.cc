@@ -41,20 +41,23 @@ namespace conetact::pairing
         }
   }
 
-  /* Around a node in the middle there are as many faces as edges, at the rim
-     one edge more. */
+  /* Nodes in the middle have as many faces as edges around them, those at the
+     rim one edge more. */
   bool
   PressurePattern::is_inside(const Around &around) const
   {
     return plane ? around.n_faces == 2 : around.n_faces == around.nodes.size();
   }
 
+  /** Looks for two neighbours about opposite to each other, between which a
+   * node is pressed clearly less than either. */
   bool
   PressurePattern::is_pit(const unsigned int node,
                           const double       own,
                           const Pressures   &pressures) const
   {
-    // Meshes of a face in space have no lines: more may be by chance there.
+    // A node in a pit has less than this part of the pressure of both. Meshes
+    // of a face in space have no lines of nodes: more may be by chance there.
     const double     deep     = plane ? .6 : .4;
     constexpr double opposite = -.7; // cosine
     const auto      &around   = neighbours.at(node).nodes;
@@ -109,6 +112,7 @@ namespace conetact::pairing
         if (found == neighbours.end() || !is_inside(found->second))
           continue;
         const Around &around = found->second;
+        // Where faces turn around a node, as at a tip, it may well press alone.
         if (around.sum.norm() >= smooth * around.n_faces &&
             std::all_of(around.nodes.begin(),
                         around.nodes.end(),

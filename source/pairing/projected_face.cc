@@ -24,7 +24,8 @@ namespace conetact::pairing
     Assert(std::abs(normal.norm() - 1) < 1e-6,
            dealii::ExcMessage("Normals have unit length."));
     Tensor<1, 3> up;
-    // the axis that the normal has least of; z if there is only a line
+    // The axis that the normal has least of is furthest from it; of a line it
+    // is z, so that the first axis is in the plane of the line.
     unsigned int least = 2;
     if (!is_line)
       for (unsigned int d = 0; d < 2; ++d)
@@ -103,6 +104,8 @@ namespace conetact::pairing
         }
   }
 
+  /** Derivatives of x(a, b) = x_0 + a (x_1 - x_0) + b (x_2 - x_0) + a b twist,
+   * twist = x_3 - x_2 - x_1 + x_0 (0 of a triangle), in axes of the plane. */
   Eigen::Matrix<double, 3, 2>
   ProjectedFace::slopes(const std::array<double, 2> &at) const
   {
@@ -126,14 +129,15 @@ namespace conetact::pairing
     return result;
   }
 
-  /** Newton's method; one step where the face is affine. */
+  /** The local coordinates of the point that is seen, by Newton's method: one
+   * step where the face is affine. */
   std::array<double, 2>
   ProjectedFace::local(const Point<2> &p) const
   {
     if (n_corners() == 2)
       return {{(p[0] - corners[0][0]) / (corners[1][0] - corners[0][0]), 0}};
-    // From the centre: the face looks convex, hence the map has an inverse
-    // there and on the way to any of its points.
+    // The iteration begins at the centre: the face looks convex, hence the map
+    // has an inverse there and on the way to any of its points.
     std::array<double, 2> at = {{.5, .5}};
     for (unsigned int step = 0; step < 20; ++step)
       {
@@ -172,8 +176,8 @@ namespace conetact::pairing
     seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
-    // Area of the face over that of its shadow, |dx/da x dx/db| over its part
-    // in the plane.
+    // The area of the face over that of its shadow is |dx/da x dx/db| over its
+    // part in the plane.
     const auto g = slopes(where);
     seen.stretch = n_corners() == 2 ? std::hypot(1, g(2, 0) / g(0, 0)) :
                                       g.col(0).cross(g.col(1)).norm() /
@@ -200,8 +204,12 @@ namespace conetact::pairing
     return place;
   }
 
-  /** Newton's method, as edges of a face that stands askew bend in the plane,
-   * too; what is far off, or has no end, stays what it is between chords. */
+  /**
+   * The local coordinates of a point of a bent face that is over one of the
+   * plane, by Newton's method: where the face stands askew its edges bend in
+   * the plane, too. What is far off, or has no end, stays what it is between
+   * chords.
+   */
   std::array<double, 2>
   ProjectedFace::bent_local(const Point<2>              &p,
                             const std::array<double, 2> &near) const
@@ -235,7 +243,8 @@ namespace conetact::pairing
     seen.shape  = Eigen::Vector4d(shape_values(n_corners(), where).data());
     seen.height = there.x[2];
     seen.normal = (across[2] < 0 ? -1 : 1) / across.norm() * across;
-    // over the area between chords
+    // A point of the plane has the local coordinates of the chords: its dA is
+    // da db times their determinant, whatever the bent edges do.
     seen.stretch =
       across.norm() / std::abs(slopes(where).topRows<2>().determinant());
     return seen;

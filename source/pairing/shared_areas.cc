@@ -29,7 +29,8 @@ namespace conetact::pairing
                std::cos(std::min(one.sharp_edge, two.sharp_edge));
     }
 
-    /** Rows of the same node that share its faces. */
+    /** Groups rows of one node that share its faces. Means over faces need no
+     * sharing: they have the area that they cover. */
     std::vector<std::vector<std::size_t>>
     groups_of(const std::vector<Contact>     &contacts,
               const bool                      only_sliding,
@@ -76,8 +77,11 @@ namespace conetact::pairing
             faces_at.emplace(node, f);
       }
 
-      /** Of the faces at a node that look along its row, the part that is over
-       * the master beside the node. */
+      /**
+       * The part of a row's faces that is over the master. A face counts, with
+       * its area, where a point on half of the way from the node to its middle
+       * has a foot: the node itself has one in each contact.
+       */
       double
       seen(const ContactNode &row, const Point<3> &p) const
       {
@@ -113,8 +117,11 @@ namespace conetact::pairing
 
   namespace
   {
-    /** A tie carries what touches beside it in the same node: where both meet
-     * the same master along one normal that contact has no gap of its own. */
+    /**
+     * Gives ties the area of contacts that touch beside them in the same node:
+     * where both meet the same master along one normal the tie carries both,
+     * for the contact has no gap of its own.
+     */
     void
     give_to_ties(const std::vector<Contact> &contacts,
                  std::vector<ContactNode>   &nodes)
@@ -160,7 +167,8 @@ namespace conetact::pairing
           std::unique_ptr<Sides> &of  = sides[row.contact];
           if (!of)
             of = std::make_unique<Sides>(contacts[row.contact], structures);
-          // an edge of which no face sees the master has what it has
+          // An edge of which no face sees the master keeps the area that it
+          // has.
           if (const double part =
                 of->seen(row, structures[row.body]->position(row.node));
               part > 0)

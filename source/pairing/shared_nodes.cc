@@ -16,6 +16,7 @@ namespace conetact::pairing
   {
     using Weights = std::vector<std::pair<unsigned int, double>>;
 
+    /** The mean of two means over nodes, in parts of 1. */
     Weights
     mean(const Weights &first,
          const double   first_part,
@@ -30,7 +31,8 @@ namespace conetact::pairing
       return {sum.begin(), sum.end()};
     }
 
-    /** Faces that two contacts bind both are held twice, as was asked for. */
+    /** Tells whether contacts have no face in common: what two contacts bind
+     * both is held twice, as was asked for. */
     bool
     have_other_faces(const Contact &one, const Contact &two)
     {
@@ -49,6 +51,11 @@ namespace conetact::pairing
       return weights;
     }
 
+    /**
+     * Tells whether nodes of two contacts may be one: the same bodies meet by
+     * the same rules along gaps that geometry gives. What is prescribed may
+     * differ on both sides of a seam.
+     */
     bool
     may_be_one(const Contact &one, const Contact &two)
     {
@@ -72,7 +79,8 @@ namespace conetact::pairing
                std::cos(std::min(one.sharp_edge, two.sharp_edge));
     }
 
-    /** Of each node the first one that is the same: itself, if no other is. */
+    /** The first of all nodes that are the same, for each node: itself, if no
+     * other is. */
     std::vector<std::size_t>
     firsts(const std::vector<Contact>     &contacts,
            const std::vector<ContactNode> &nodes)
@@ -93,8 +101,11 @@ namespace conetact::pairing
       return first;
     }
 
-    /** Where one contact would not look at what another one found: a node that
-     * faces see is no edge, and one that meets the master not free. */
+    /**
+     * The rank of what a contact has found: one contact with all faces would
+     * not look for an edge at a node that faces see (2 before 1), and would not
+     * leave a node free that meets the master (1 before 0).
+     */
     unsigned int
     rank(const ContactNode &node)
     {
@@ -109,6 +120,8 @@ namespace conetact::pairing
   {
     AssertDimension(whole.body, part.body);
     AssertDimension(whole.node, part.node);
+    // The whole is a times the one and b times the other, in proportion to
+    // areas; what has the higher rank counts alone.
     constexpr unsigned int mean_over_faces = 2;
     const unsigned int     of_whole = rank(whole), of_part = rank(part);
     const double           area = whole.area + part.area;
@@ -120,7 +133,8 @@ namespace conetact::pairing
     if (!whole.slaves.empty() || !part.slaves.empty())
       whole.slaves = mean(own_side(whole), a, own_side(part), b);
     whole.gap = a * whole.gap + b * part.gap;
-    // what a mean covers is its area, of what faces nothing none
+    // The area of means is what they cover, that of a part that faces nothing
+    // is none. Single nodes have all the area of their faces.
     whole.area                = std::max(of_whole, of_part) == mean_over_faces ?
                                   (a > 0 ? whole.area : 0) + (b > 0 ? part.area : 0) :
                                   area;
@@ -178,7 +192,7 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Whether any two contacts that slide may share nodes. */
+    /** Tells whether any two contacts that slide may share nodes. */
     bool
     may_share(const std::vector<Contact> &contacts)
     {
@@ -218,6 +232,9 @@ namespace conetact::pairing
       found[nodes[i].contact].push_back(i);
     if (!may_share(contacts))
       return;
+    // Each contact is paired alone once more: in the order in which it will
+    // find its nodes each of them gets the number of its own next node, or that
+    // of the contact before it with which it was united.
     const std::vector<std::vector<std::size_t>> own = found;
     const auto alone = found_alone(contacts, structures);
     const auto first = firsts(contacts, alone);

@@ -22,13 +22,13 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Over the spacing of nodes: gaps beyond are as good as any other. */
+    /** Gaps above so many spacings of nodes are as good as any other. */
     constexpr double far_away = 1e4;
     /** How exactly gaps of open nodes are to be known beside those of closed
      * ones. */
     constexpr double open_gaps = 1e-6;
 
-    /** v turned by the shortest way that turns the unit vector a into b. */
+    /** v turned by the least turn of the unit vector a into b (Rodrigues). */
     Tensor<1, 3>
     turned(const Tensor<1, 3> &v, const Tensor<1, 3> &a, const Tensor<1, 3> &b)
     {
@@ -85,7 +85,7 @@ namespace conetact::pairing
                  node.position + own - closest->gap * closest->normal};
     }
 
-    /** What a node is a mean over, if it is one, and how that is displaced. */
+    /** The faces that a node is a mean over, if it is one, displaced. */
     struct FacesAt
     {
       const FacesOnObstacle        *all;
@@ -107,7 +107,7 @@ namespace conetact::pairing
       const Tensor<1, 3> own = motion.relative(node.position, u);
       const double       gap = node.gap + node.n * last;
       const Tensor<1, 3> n   = motion.direction_to_own(node.n);
-      // no normal there, as far away or deep inside: the last one
+      // The last one stays where there is no normal, as deep inside.
       const Met last_one{gap, n, node.position + own - gap * n};
       const Met met = (faces.all == nullptr ?
                          met_by_node(node, own) :
@@ -118,8 +118,8 @@ namespace conetact::pairing
       return met.foot;
     }
 
-    /** Of the rigid body behind an obstacle that is free, from the motions of
-     * the nodes that span it. */
+    /** The motion of the rigid body behind a free obstacle, from those of the
+     * nodes that span it. */
     RigidMotion
     motion_of(const bodies::RigidBody             &body,
               const unsigned int                   number,
@@ -127,7 +127,7 @@ namespace conetact::pairing
               const SlidingContacts::Displacement &at)
     {
       const Tensor<1, 3> d = at(number, 0);
-      // du_row / dx_column, along the axes to the nodes that span it
+      // The slope is du_row / dx_column, along an axis to a spanning node.
       const auto slope = [&](const unsigned int row,
                              const unsigned int column) {
         const unsigned int node = body.spanning_node(column);
@@ -187,7 +187,7 @@ namespace conetact::pairing
       return contact.slides && contact.obstacle == nullptr;
     }
 
-    /** What a node of a pair of bodies meets now. */
+    /** Gives a node of a pair of bodies what it meets now. */
     void
     take(const ContactNode                   &now,
          const SlidingContacts::Displacement &at,

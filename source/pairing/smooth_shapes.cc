@@ -19,6 +19,8 @@ namespace conetact::pairing
     using Handler = dealii::ParameterHandler;
     using Shape   = std::unique_ptr<ObstacleShape>;
 
+    /** A gap g(x, y, z) that is written down, along one normal. No shape stands
+     * behind it, so it is asked at undeformed nodes only. */
     class PrescribedGap : public ObstacleShape
     {
     public:
@@ -37,7 +39,7 @@ namespace conetact::pairing
                 const Tensor<1, 3> &u,
                 const double) const override
       {
-        // it changes by the motion along its normal
+        // A gap changes by the motion along its normal: g(X) + n . u.
         return gap(X) + u * normal;
       }
       bool
@@ -68,6 +70,7 @@ namespace conetact::pairing
       Expression   gap;
     };
 
+    /** The half space n . (x - x_0) <= 0; gaps are distances, however far. */
     class HalfSpace : public ObstacleShape
     {
     public:
@@ -99,7 +102,9 @@ namespace conetact::pairing
     };
 
     /**
-     * Points at a distance `radius` from a centre, or from an axis through it.
+     * The points at a distance `radius` from a centre, or from an axis through
+     * it: the gap is |arm| - radius outside and radius - |arm| in a hole, with
+     * the arm across the axis. There is no normal where the arm has no length.
      */
     class Round : public ObstacleShape
     {
@@ -210,7 +215,8 @@ namespace conetact::pairing
       std::optional<Closest>
       closest_if_any(const Point<3> &p, const double spacing) const override
       {
-        // Steps small beside a cell, on which the surface is taken for smooth.
+        // Steps are small beside a cell, on which the surface is taken for
+        // smooth.
         const Tensor<1, 3> gradient = gradient_at(p, .02 * spacing);
         const double       norm     = gradient.norm();
         if (norm == 0 || !std::isfinite(norm))

@@ -29,7 +29,7 @@ namespace conetact::pairing
       return Point<3>(to_vector(prm.get(entry), dim, in + entry));
     }
 
-    /** Of an entry that may be empty: 0. */
+    /** The number of an entry; an empty one is 0. */
     double
     number_of(const dealii::ParameterHandler &prm,
               const std::string              &entry,
@@ -75,6 +75,11 @@ namespace conetact::pairing
     normal();
   }
 
+  /**
+   * A Preload F stands for a gap of F over the stiffness. Springs that act one
+   * way press from the start, as an interference does; one that acts both ways
+   * pulls, as if its sides had been drawn apart.
+   */
   double
   SpringLaw::gap() const
   {

@@ -26,13 +26,17 @@ namespace conetact::pairing
     using Handler = dealii::ParameterHandler;
     using Shape   = std::unique_ptr<ObstacleShape>;
 
-    /** Of the size of a face: what is nearer is on it. */
+    /** A point nearer to a face than this part of its size is on it. */
     constexpr double on_face = 1e-12;
 
     /** Faces whose normals differ by less are one. */
     constexpr double same_plane = 1e-9;
 
-    /** Twice the area, a vector along the outward normal; in 2D the length. */
+    /**
+     * Twice the area as a vector along the outward normal, in 2D the length: a
+     * x b of two edges, of a quadrilateral that of its diagonals, which is
+     * right for warped ones as well.
+     */
     Tensor<1, 3>
     normal_of(const SurfaceFaces &mesh, const std::vector<unsigned int> &face)
     {
@@ -90,12 +94,12 @@ namespace conetact::pairing
         }
     }
 
-    /** Volume, in the plane area, times 6 (2): positive with outward normals.
-     */
+    /** The volume, in the plane the area, times 6 (2): sum of x . n over faces
+     * (divergence theorem), positive with outward normals. */
     double
     volume(const SurfaceFaces &mesh)
     {
-      // about a point of it, or digits would go with the distance
+      // Arms are about a point of it, or digits would go with the distance.
       const Point<3> &about = mesh.points[mesh.faces[0][0]];
       double          sum   = 0;
       for (const auto &face : mesh.faces)

@@ -14,7 +14,7 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** More than a free obstacle turns by rounding. */
+    /** Tells whether an obstacle turns by more than rounding. */
     bool
     is_turned(const RigidMotion &motion)
     {
@@ -33,7 +33,8 @@ namespace conetact::pairing
                                       moved.motion.relative(node.position,
                                                             moved.u),
                                       node.spacing);
-    // of a mean over faces: as at its own node, but for what they differ by
+    // A mean over faces is off by what its gap differs from that of its own
+    // node at the start.
     return drawn + gap_beside_own(node) +
            (node.growth ? node.growth(0) : 0); // as adjusted
   }
@@ -51,7 +52,7 @@ namespace conetact::pairing
         const double allowed =
           part * std::max(moved.node->spacing, indentation);
         const double actual = true_gap(moved);
-        // What is apart by both has no force that could be wrong.
+        // A node that is apart by both gaps has no force that could be wrong.
         if (std::min(actual, moved.gap) > allowed)
           continue; // open by both
         if (const double error = std::abs(actual - moved.gap) / allowed;

@@ -42,7 +42,7 @@ namespace conetact::pairing
       std::vector<Edge>     edges;   ///< as many as corners
       Tensor<1, 3>          outward; ///< mean unit normal
       Point<3>              centre;
-      double radius = 0; ///< of a ball about the centre that holds it [length]
+      double radius = 0; ///< of the ball about it that holds corners [length]
       double size   = 0; ///< longest edge [length]
       /** How far its middles stand off its chords, at most [length]. */
       double sagitta = 0;

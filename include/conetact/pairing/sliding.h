@@ -148,9 +148,15 @@ namespace conetact::pairing
     double force = 0; ///< in parts of the largest reaction
   };
   /**
-   * Of a node, from how it was found for the solution and how it is found
-   * there. `u`: its relative displacement as it is found there, `gap`: that of
-   * the solution, `share`: its part of the largest reaction, none: it is open.
+   * The error of a node, from how it was found for the solution and how it is
+   * found there. `u`: its relative displacement as it is found there, `gap`:
+   * that of the solution, `share`: its part of the largest reaction, none: it
+   * is open. Its actual gap is that found plus n . u. A closed node is off by
+   * this gap (with a layer or Active: less that of the solution) over its
+   * spacing, and by its share of forces times the turn of the normal or the
+   * change of weights, the larger one. An open node is off by how deep it is
+   * over its spacing, or by 1e-6 of what its gap misses: an error of open gaps
+   * changes no force.
    */
   FoundChange
   change_of(const ContactNode  &solved,
