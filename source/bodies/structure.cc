@@ -8,6 +8,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace conetact::bodies
@@ -15,9 +16,9 @@ namespace conetact::bodies
   std::vector<Tensor<1, 3>>
   smooth_patches(const std::vector<Tensor<1, 3>> &face_normals)
   {
-    constexpr double cosine_of_edge = .766; // of 40 degrees
-
-    const std::size_t        n = face_normals.size();
+    // nine facets round a circle turn by just this angle
+    const double             cosine_of_edge = std::cos(angle_of_patches + 1e-4);
+    const std::size_t        n              = face_normals.size();
     std::vector<std::size_t> patch(n);
     std::iota(patch.begin(), patch.end(), std::size_t{0});
     for (std::size_t i = 0; i < n; ++i)

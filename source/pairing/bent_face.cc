@@ -110,23 +110,24 @@ namespace conetact::pairing
   foot_on_bent(const FaceNet::Face &face, const Point<3> &p, const Local &near)
   {
     // Steps are in local coordinates: one of half a face leads to another foot,
-    // or to none. After `most` steps the last place is taken as it is, for
-    // rounding may keep steps above `found`.
-    constexpr double       found = 1e-14, far = .5;
+    // or to none. Far from the origin rounding keeps steps above `found`: after
+    // `most` of them a place is taken whose last step was next to nothing.
+    constexpr double       found = 1e-14, nothing = 1e-9, far = .5;
     constexpr unsigned int most = 30;
     const BentFace         bent{face};
-    Local                  at = near;
+    Local                  at   = near;
+    double                 size = 0;
     for (unsigned int i = 0; i < most; ++i)
       {
         const Eigen::Vector2d step = step_to_foot(bent, p, at);
-        const double          size = step.cwiseAbs().maxCoeff();
+        size                       = step.cwiseAbs().maxCoeff();
         if (!(size < far))
           return {};
         at = {{at[0] + step[0], at[1] + step[1]}};
         if (size < found)
           break;
       }
-    if (!is_on(bent, at))
+    if (size > nothing || !is_on(bent, at))
       return {};
     return BentPoint{at, Point<3>(bent.at(at[0], at[1])), normal_of(bent, at)};
   }

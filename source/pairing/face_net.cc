@@ -60,8 +60,14 @@ namespace conetact::pairing
         return {face.nodes[edge]};
       const auto &c     = edge_corners(n, edge);
       Nodes       nodes = {face.nodes[c[0]], face.nodes[c[1]]};
-      if (face.nodes.size() > n) // one at its middle
-        nodes.push_back(face.nodes[n + edge]);
+      for (const bodies::MiddleNode &middle :
+           bodies::middle_nodes(3, face.nodes.size()))
+        if (middle.corners.size() == 2 &&
+            std::is_permutation(middle.corners.begin(),
+                                middle.corners.end(),
+                                c.begin(),
+                                c.begin() + 2))
+          nodes.push_back(face.nodes[middle.node]);
       std::sort(nodes.begin(), nodes.end());
       return nodes;
     }
@@ -379,14 +385,18 @@ namespace conetact::pairing
     Closest nearest;
     nearest.distance = std::numeric_limits<double>::max();
     // balls around p that grow until they hold the nearest face
-    for (double radius = faces[0].radius; radius < nearest.distance;
+    double searched = 0;
+    for (double radius = faces[0].radius; searched < nearest.distance;
          radius *= 2)
-      for (const std::size_t f : tree.near({p, radius}))
-        // No point of a face is nearer than its ball.
-        if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
-          if (const Closest closest = project(f, p);
-              closest.distance < nearest.distance)
-            nearest = closest;
+      {
+        for (const std::size_t f : tree.near({p, radius}))
+          // No point of a face is nearer than its ball.
+          if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
+            if (const Closest closest = project(f, p);
+                closest.distance < nearest.distance)
+              nearest = closest;
+        searched = radius;
+      }
     return nearest;
   }
 

@@ -217,12 +217,15 @@ namespace conetact::pairing
   NodeToFace::find_edges()
   {
     edges.emplace();
-    if (!master || surface.two_sided ||
-        std::none_of(surface.nodes.begin(),
-                     surface.nodes.end(),
-                     [](const bodies::SurfaceNode &s) {
-                       return s.normals.size() > 1;
-                     }))
+    // Patches tell edges of more than their angle without a net of faces.
+    const bool no_edges =
+      contact.sharp_edge >= bodies::angle_of_patches - 1e-12 &&
+      std::none_of(surface.nodes.begin(),
+                   surface.nodes.end(),
+                   [](const bodies::SurfaceNode &s) {
+                     return s.normals.size() > 1;
+                   });
+    if (!master || surface.two_sided || no_edges)
       return;
     const FaceNet                  net(body, surface);
     const MortarRows               rows(net.all(),

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -50,11 +51,14 @@ namespace conetact::bodies
     bool meets_at_corners = false;
   };
 
+  /** Faces that turn by more than this are no smooth patch: ten facets round a
+   * circle are one, a chamfer of 45 degrees is not [rad]. */
+  constexpr double angle_of_patches = 40 * M_PI / 180;
+
   /**
    * The normals of the smooth patches that vectors (normals of faces, times
    * any weights) belong to: patches turn by more than 40 degrees where they
-   * meet. Ten facets round a circle are smooth, a chamfer of 45 degrees is
-   * not. A patch has the direction of the sum of its vectors.
+   * meet. A patch has the direction of the sum of its vectors.
    */
   std::vector<Tensor<1, 3>>
   smooth_patches(const std::vector<Tensor<1, 3>> &face_normals);
