@@ -25,6 +25,8 @@ namespace conetact::condensed
     using RowMatrix      = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     using TrilinosMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
+    /** A copy on this process alone, row by row: the matrix of each process is
+     * another one, whatever others do. */
     std::unique_ptr<TrilinosMatrix>
     to_trilinos(const RowMatrix &matrix)
     {
@@ -89,7 +91,7 @@ namespace conetact::condensed
     Teuchos::ParameterList &mumps = parameters.sublist("mumps");
     mumps.set("ICNTL(6)", 0);    // columns stay where they are
     mumps.set("ICNTL(8)", 0);    // the matrix is scaled already
-    mumps.set("ICNTL(14)", 100); // spare workspace [%]
+    mumps.set("ICNTL(14)", 100); // spare workspace [%], not raised later
     own.solver->SetParameters(parameters);
     const ManyThreads threads;
     // A failure may be a singular matrix or want of memory: who asked has to

@@ -86,8 +86,9 @@ namespace conetact::condensed
     void
     solve(const Phase phase, Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
 
-    // Leaves the forward elimination of b = 0 inside MUMPS at no cost: as
-    // right-hand sides of one zero each, among the unknowns C.
+    // Leaves the forward elimination of b = 0 inside MUMPS at no cost: it is
+    // given sparse right-hand sides with a single entry, a zero of an unknown
+    // C.
     void
     reduce_nothing(Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
 
@@ -137,7 +138,8 @@ namespace conetact::condensed
         std::iota(schur_unknowns.begin(),
                   schur_unknowns.end(),
                   static_cast<int>(n_eliminated) + 1);
-        // The Schur complement comes dense and on this process.
+        // The Schur complement comes dense and on this process; its unknowns
+        // are the last ones of the order that is given.
         mumps->control(19) = 1;
         data.size_schur    = static_cast<int>(n_schur);
         data.listvar_schur = schur_unknowns.data();
@@ -181,6 +183,7 @@ namespace conetact::condensed
     rows = columns = order = std::vector<int>();
     mirror_upper_triangle(schur);
 
+    // A factor without zero pivots is no proof: see free_motion.h.
     MatrixXd v = MatrixXd::Zero(n, 1), none = MatrixXd::Zero(n_schur, 1);
     v.topRows(n_eliminated) = probe_load(diagonal.head(n_eliminated));
     solve(eliminated_only, v, none);
@@ -323,12 +326,15 @@ namespace conetact::condensed
             solver.solve(Implementation::eliminated_only, block, reduced);
             continue;
           }
-        // The forward elimination stays inside MUMPS for the expansion.
-        // Prescribed displacements without loads need no forward elimination.
+        // A_FF = L D L^T: the reduction leaves the forward elimination of b_F
+        // inside MUMPS, the expansion takes u_C and solves backwards. One is no
+        // use without the other. Prescribed displacements without loads need no
+        // forward elimination.
         if (block.topRows(solver.n_eliminated).isZero(0.))
           solver.reduce_nothing(block, reduced);
         else
           solver.solve(Implementation::reduction, block, reduced);
+        // One array for both: reduced loads go out, u_C comes in.
         reduced = u_C.middleCols(first, count);
         solver.solve(Implementation::expansion, block, reduced);
       }
