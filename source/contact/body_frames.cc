@@ -13,7 +13,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Over the spacing of nodes: ties of what is further apart do not turn. */
+    /** Ties of sides that are further apart than this, over the spacing of
+     * nodes, do not turn: a gap that is kept would have to turn as well. */
     constexpr double tied_apart = 1e-9;
 
     /** Whether the tie goes on to be one where its bodies turn together. */
@@ -159,7 +160,9 @@ namespace conetact::contact
     bodies.frames = std::move(frames);
   }
 
-  /* What is tied has one frame: rigid motions leave ties alone. */
+  /* x = c + d + Q (X - c): a small motion a + omega x (X - c), in components of
+     the frame, makes d + Q a of d and Q exp(omega) of Q. What is tied has one
+     frame: rigid motions leave ties alone. */
   void
   BodyFrames::move(const Eigen::VectorXd &amounts)
   {
@@ -176,7 +179,9 @@ namespace conetact::contact
         }
   }
 
-  /* Placements are small motions: it takes a few to follow a far turn. */
+  /* Placements are linear in the turn, and each is found in the frame that the
+     one before has left: a few follow a far turn, until the rest is the
+     rounding of an angle. */
   void
   BodyFrames::move_with_supports(const double t)
   {

@@ -24,6 +24,7 @@ namespace conetact::contact
     : elastic(e)
     , own(o)
   {
+    // Bodies at rest and rigid ones have no own unknowns, and no part.
     const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
     std::vector<bool> placed(n, false);
     for (const auto &group : groups)
@@ -37,6 +38,8 @@ namespace conetact::contact
         all_parts.push_back({{body}, {}, nullptr});
     for (Part &part : all_parts)
       {
+        // Equal bodies meet others at different nodes: they keep the unknowns
+        // that any of them needs.
         std::vector<bool> kept(at(n_own(part.bodies[0])), false);
         for (const unsigned int body : part.bodies)
           {

@@ -126,6 +126,7 @@ namespace conetact::contact
            free.resistance(primal.tail(primal.size() - H.rows()));
   }
 
+  /* b = B^T (f - K d), and of it q = H w and the balance of motions. */
   void
   CondensedCompliance::reduce_one(const VectorXd &forces,
                                   const VectorXd &prescribed,
@@ -136,7 +137,8 @@ namespace conetact::contact
     // What is prescribed acts as a load.
     load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
     VectorXd all = reduce_all(load.b, forces);
-    // R^T K = 0 but for rounding, which must not carry anything
+    // R^T K = 0 for structures but for rounding, which must not carry anything:
+    // R^T K d, which the balance has by -R^T b, is taken out again.
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
     all.tail(motions.own().cols()) -= free.resultants(rounding);
@@ -164,6 +166,8 @@ namespace conetact::contact
     return load;
   }
 
+  /* The load (q, -R^T b) of the relation: q = H P b and -(R + Y)^T b, less what
+     drives motions that nothing resists. */
   Eigen::VectorXd
   CondensedCompliance::reduce_all(const VectorXd &b,
                                   const VectorXd &forces) const
@@ -187,10 +191,12 @@ namespace conetact::contact
     return f;
   }
 
+  /* The balance of a free motion is a sum over all nodes. Parts of a load that
+     cancel leave up to 1e-13 of the sum of their magnitudes there. */
   void
   CondensedCompliance::forget_rounding(LoadCase &load) const
   {
-    constexpr double rounding = 1e-13; // of a sum
+    constexpr double rounding = 1e-13; // over the magnitudes
     const VectorXd   zero =
       rounding * (motions.free_of_own().cwiseAbs().transpose() *
                   free.size_of_terms(load.b));
@@ -199,6 +205,8 @@ namespace conetact::contact
         sum = 0;
   }
 
+  /* An offset of the rows of what is bound is a load like q_t: v_t = 0 holds
+     with it. */
   void
   CondensedCompliance::move_bound(const VectorXd &offset, LoadCase &load) const
   {
@@ -303,7 +311,8 @@ namespace conetact::contact
     return load;
   }
 
-  /* What is unknown is what motions change from their base on. */
+  /* Problems are written about the motions a_0 of `base`: unknowns are (r, a -
+     a_0), and (G a_0, C a_0) is part of the load. */
   void
   CondensedCompliance::write(const LoadCase          &load,
                              const VectorXd          &offset,
@@ -336,6 +345,8 @@ namespace conetact::contact
     return points.n_bound() == 0 ? 0. : rounding_of_past * largest_force(load);
   }
 
+  /* The shortest reactions that drive the motions as the load does, G^T r = R^T
+     f: balance rows have -R^T f. */
   Eigen::VectorXd
   CondensedCompliance::contact_load(
     const solvers::ContactProblem &problem) const
@@ -394,6 +405,7 @@ namespace conetact::contact
     state.start.reset(); // reactions and motions are all there is
   }
 
+  /* q takes up by how much the recovered displacements miss W r + G a + q. */
   void
   CondensedCompliance::add_missed(const VectorXd &by_contacts,
                                   const VectorXd &by_bound,
@@ -403,7 +415,8 @@ namespace conetact::contact
     move_bound(by_bound, change);
   }
 
-  /* The relation holds for rounded matrices: the end is nearly right. */
+  /* A correction starts from the end of the try before, which is nearly right:
+     the relation holds for rounded matrices. Motions count from there. */
   solvers::ContactState
   CondensedCompliance::restart(const solvers::ContactState &,
                                const solvers::ContactState &end) const

@@ -82,13 +82,15 @@ namespace conetact::contact
     system->matrix = take_stiffness();
     const Index n  = system->matrix.cols();
     AssertDimension(n, points.n_unknowns());
-    // Frames may have motions that nobody has named; those of other bodies
-    // are rigid, and known to the last digit.
+    // Frames may have motions that nobody has named: the null space of K tells
+    // them, for n^3/3 operations. Those of other bodies are rigid, and known to
+    // the last digit.
     system->null_space =
       find_mechanisms && n > 0 && n <= largest_rank_search ?
         solvers::null_space_basis(system->matrix, motions.null_space()) :
         motions.null_space();
     contact_system = system;
+    // A power of two rounds nothing.
     if (const double mean = diagonal_of(elastic, coordinates.n_dofs()).mean();
         mean > 0)
       stiffness_scale = std::exp2(std::round(std::log2(mean)));
@@ -136,7 +138,8 @@ namespace conetact::contact
                                  LoadCase       &load)
   {
     AssertDimension(forces.size(), prescribed.size());
-    // B^T (f - K d): what is prescribed acts as a load on the rest.
+    // b = B^T (f - K d): what is prescribed acts as a load on the rest.
+    // Contacts see f = b_C - K_CF K_FF^-1 b_F.
     load.b = own.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
     if (is_linear())
@@ -293,8 +296,9 @@ namespace conetact::contact
     end.u += seen;
   }
 
-  /* The iterative Elasticity has contact unknowns behind all others. One
-     stiffness of all knows no motions apart from displacements. */
+  /* The iterative Elasticity has contact unknowns behind all others, of which a
+     checkpoint may come; without them displacements q tell. One stiffness of
+     all knows no motions apart from displacements: G a is added. */
   void
   CondensedStiffness::restore(const std::vector<double> &start,
                               const VectorXd            &q,

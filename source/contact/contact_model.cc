@@ -20,10 +20,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /**
-     * Of the motion that supports give a body as a whole: a deformation below
-     * is the rounding of what they prescribe.
-     */
+    /** A prescribed deformation below this part of the way of its body is the
+     * rounding of that way: 64 eps, as it is the difference of two sums. */
     constexpr double deformation_rounding = 64 * 2.2e-16;
 
     /** Directions of ties turn with their bodies. */
@@ -65,6 +63,8 @@ namespace conetact::contact
                                 solvers::Form::stiffness)
   {}
 
+  /* A column of `open` is a set of reactions that bound nodes and supports can
+     exchange. Entries of orthonormal columns below 1e-9 are rounding. */
   const pairing::ContactNode *
   ContactModel::held_twice() const
   {
@@ -86,8 +86,8 @@ namespace conetact::contact
         for (Eigen::SparseMatrix<double>::InnerIterator it(open, j); it; ++it)
           if (std::abs(it.value()) > 1e-9)
             nodes.insert(node_of[static_cast<std::size_t>(it.row())]);
-        // Where supports hold both sides, as in a plane of symmetry, nothing is
-        // to share, nor is it on an axis.
+        // Where supports hold both sides of one node, as in a plane of
+        // symmetry, nothing is to share, nor is it on an axis.
         const pairing::ContactNode &node = **nodes.begin();
         if (nodes.size() > 1 ||
             (node.masters.empty() &&
@@ -128,6 +128,8 @@ namespace conetact::contact
               motions.n_free() > 0 || has_equal_bodies());
   }
 
+  /* The whole stiffness is factorised densely, n^3/3 operations: small frames
+     alone are asked, others may be mechanisms. */
   bool
   ContactModel::moves_as_rigid_only() const
   {
@@ -374,7 +376,9 @@ namespace conetact::contact
     return true;
   }
 
-  /* What of displacements is neither placement nor prescribed. */
+  /* w = u - R a_p - (d - (R a_p)_h): displacements less the placement a_p and
+     less what supports prescribe beyond it, where ( )_h is the part along what
+     they hold. */
   Eigen::VectorXd
   ContactModel::deformation(const Eigen::VectorXd &u, const double t) const
   {
@@ -390,6 +394,9 @@ namespace conetact::contact
     return displacement(u, cut.body, 0) * cut.axis;
   }
 
+  /* The rigid body of a cut has no equation once it is locked: the lock holds
+     its reactions along the axis, sum_i r_i . e, as the force of a support
+     does. */
   Eigen::VectorXd
   ContactModel::lock_forces(const Eigen::VectorXd &all_reactions) const
   {

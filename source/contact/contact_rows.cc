@@ -20,7 +20,8 @@ namespace conetact::contact
       return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
     }
 
-    /** The tangential displacement spanned by the contact unknowns. */
+    /** The tangential displacement that contact unknowns span, sum_k v_k d_k
+     * over the tangents. */
     Tensor<1, 3>
     tangential(const ContactPoint &point, const Eigen::VectorXd &v)
     {
@@ -31,7 +32,8 @@ namespace conetact::contact
       return sum;
     }
 
-    /** The rest of it: frictionless directions, and held ones without slip. */
+    /** The rest of a relative displacement, which solvers do not see: along
+     * frictionless directions, and held ones without slip. */
     Tensor<1, 3>
     other_tangential(const ContactPoint &point, const Tensor<1, 3> &relative)
     {
@@ -99,6 +101,8 @@ namespace conetact::contact
     std::tie(row.t1, row.t2) = pairing::tangents(node.n, model.bodies.dim);
   }
 
+  /* Tables have changes in frames of contacts: what was moved so far is told in
+     those of the nodes that were found again. */
   void
   ContactRows::relink()
   {
@@ -163,7 +167,8 @@ namespace conetact::contact
         row.reaction    = in_frame(row, force_of(point, r));
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
-        // the last.
+        // the last: the sum of all parts tells, as far as it is no rounding of
+        // positions.
         if ((point.dual.size() == 1 || (!whole && i < points.size())) &&
             row.state != solvers::NodeState::open)
           row.state = std::hypot(row.du[1], row.du[2]) >
@@ -291,6 +296,9 @@ namespace conetact::contact
     row.state                          = solvers::NodeState::stick;
   }
 
+  /* A row for each master node: its reaction and area are the sums of what its
+     slaves hand on, by the weights w of their rows; its gap and displacements
+     are means over |w|. */
   void
   ContactRows::append_masters(std::vector<model::ContactRow> &rows) const
   {

@@ -32,8 +32,9 @@ namespace conetact::contact
     }
 
     /**
-     * Where the far ends of springs along any directions e have moved by d_e:
-     * the u without part across all of them with sum (u.e) e = sum d_e e.
+     * The displacement u of the far ends of springs along any directions e that
+     * have moved by d_e: sum (u.e) e = sum d_e e, and u has no part across all
+     * of them.
      */
     Tensor<1, 3>
     far_end(const bodies::Support     &support,
@@ -206,7 +207,8 @@ namespace conetact::contact
     std::vector<double>   magnitude;
     for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // |K| |u|, element by element: terms of the sums that make K u.
+        // sum_e |K_e| |u| over elements e, which is no less than |K| |u|:
+        // entries of elements that cancel in K round all the same.
         magnitude.assign(matrix, matrix + dofs.size() * dofs.size());
         for (double &entry : magnitude)
           entry = std::abs(entry);
@@ -263,7 +265,8 @@ namespace conetact::contact
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }
-    // The springs stand in all dofs, those of hanging nodes, too.
+    // Surfaces list no hanging nodes, but the springs stand in their dofs as
+    // well: the ground moves there as its masters do.
     for (const bodies::HangingNode &hanging : structure.hanging_nodes())
       for (unsigned int c = 0; c < bodies.dim; ++c)
         for (const auto &[master, weight] : hanging.masters)

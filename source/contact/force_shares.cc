@@ -47,13 +47,15 @@ namespace conetact::contact
         return closed;
       const Tensor<1, 3> force = force_of(point, r);
       closed.force             = force.norm();
+      // A slipping contact keeps the direction of its force.
       if (closed.forces.empty()) // what only touches may press
         closed.forces.push_back(closed.force > 0 ? force / closed.force :
                                                    point.dual.back());
       return closed;
     }
 
-    /** Its force follows from where its sides are. */
+    /** A spring or a soft layer has a force that follows from where its sides
+     * are: it can exchange none. */
     bool
     gives_way(const pairing::ContactNode &node)
     {
@@ -124,7 +126,12 @@ namespace conetact::contact
       return groups;
     }
 
-    /** Whether different forces of a group are the same forces on all nodes. */
+    /**
+     * Whether different forces of a group are the same forces on all nodes:
+     * columns of H^T, three rows a node, that depend on each other. More
+     * columns than rows always do; pivots below 1e-9 of the largest are
+     * rounding.
+     */
     bool
     exchange_forces(const std::vector<const Closed *> &group)
     {

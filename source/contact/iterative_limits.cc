@@ -57,8 +57,12 @@ namespace conetact::contact
       return false;
     }
 
-    /** Whether a mean over nodes has others in it that meet something or hang,
-     * or hardly its own one, whose displacement it tells. */
+    /**
+     * Whether a mean over nodes has others in it that meet something or hang,
+     * or hardly its own one: the mean is the unknown, and tells the
+     * displacement of its own node over its weight, which is too small to
+     * divide by.
+     */
     bool
     has_tangled_means(const model::Bodies                     &bodies,
                       const ContactPoints                     &points,
@@ -114,7 +118,8 @@ namespace conetact::contact
         });
     }
 
-    /** Whether its tie opens along a direction, or not at all across it. */
+    /** Whether its tie opens along a direction that is not at a right angle to
+     * the axis of the cut. */
     bool
     opens_along(const pairing::ContactNode &node,
                 const Tensor<1, 3>         &direction,
@@ -129,8 +134,12 @@ namespace conetact::contact
                          });
     }
 
-    /** Whether what supports hold of a bound node is bound there as well, or
-     * not at all: it is theirs then. */
+    /**
+     * Whether each direction that supports hold a bound node along is one of
+     * its own: a frictionless one, or one that is bound to masters which
+     * supports hold as well. Along these the node follows supports, along
+     * others its masters.
+     */
     bool
     is_bound_or_held(const ContactPoint  &point,
                      const NodeRules     &supports,

@@ -60,6 +60,9 @@ namespace conetact::contact
     return solvers::orthonormal_basis(fields);
   }
 
+  /* The unknown that all motions together move furthest is held, motions that
+     are left do not move it, and of these the next one is chosen, as pivots
+     are. */
   std::vector<Eigen::Index>
   find_pins(const Eigen::MatrixXd &fields, const Coordinates &coordinates)
   {

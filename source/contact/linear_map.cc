@@ -9,6 +9,8 @@
 
 namespace conetact::contact
 {
+  /* A row with the one entry 1 is written as the number of its unknown, and its
+     entry is given up: most rows are such. */
   void
   LinearMap::end_row()
   {

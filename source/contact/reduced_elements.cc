@@ -23,8 +23,10 @@ namespace conetact::contact
     using Numbers = std::vector<Number>;
 
     /**
-     * The map u = C q as constraints: the numbers of dofs that are unknowns are
-     * these, all others stand behind the unknowns and depend on them.
+     * The map u = C q as constraints of deal.II: numbers of dofs that are
+     * unknowns are these, all other dofs stand behind the unknowns and depend
+     * on them. An element K_e becomes C_e^T K_e C_e by its ways to add local
+     * matrices.
      */
     class Constraints
     {
@@ -165,8 +167,11 @@ namespace conetact::contact
       k.fill(matrix);
     }
 
-    /** Of the first unknowns, with a diagonal: an unknown that no element
-     * touches shall be found as singular by direct solvers. */
+    /**
+     * The upper triangle of the first n unknowns, with a whole diagonal: an
+     * unknown that no element touches has a zero there, and direct solvers name
+     * its node.
+     */
     Eigen::SparseMatrix<double>
     upper_triangle(const dealii::SparseMatrix<double> &all, const Number n)
     {

@@ -37,8 +37,9 @@ namespace conetact::contact
     }
 
     /**
-     * Mode k of a body at p; rotations move its rim by about 1. What strains a
-     * body of revolution is no motion: nothing.
+     * Mode k of a body at p: the translation e_k, or the rotation e_k x (p -
+     * p_0) / size, which moves its rim by about 1. Whatever strains a body of
+     * revolution is no motion: nothing.
      */
     Tensor<1, 3>
     mode(const unsigned int        k,
@@ -71,7 +72,8 @@ namespace conetact::contact
       if (bodies.is_rigid(body))
         frame.centre = structure.position(0); // its reference point
       for (unsigned int i = 0; i < n && !bodies.is_rigid(body); ++i)
-        // Any point near the middle of the nodes will do.
+        // Any point near the middle will do: rotations about it move nodes
+        // least, and are nearly orthogonal to translations.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
@@ -116,7 +118,8 @@ namespace conetact::contact
 
 
 
-  /* What each mode moves the point p by, along a direction. */
+  /* The row e . R(p): by how much each mode moves p along a direction e. Its
+     transpose times a force is the work that the force does on the modes. */
   Eigen::RowVectorXd
   RigidModes::row(const unsigned int  body,
                   const Point<3>     &p,
@@ -194,8 +197,8 @@ namespace conetact::contact
     return u;
   }
 
-  /* R^T f: forces along the translations, moments over the size along the
-     rotations. */
+  /* R^T f: forces along the translations, moments about the centre over the
+     size along the rotations, so that both are forces. */
   RigidModes::Amounts
   RigidModes::resultants(const Eigen::VectorXd &forces) const
   {

@@ -11,8 +11,9 @@
 
 namespace conetact::contact
 {
-  /* Squares of rows tell roughly which these may be, and cost little; the rows
-     themselves which they are. */
+  /* Squares of rows are small and cheap, but know singular values to the root
+     of rounding only: they choose motions that may be unseen (`nearly`), and
+     the rows themselves tell which of these are (`zero`). */
   Eigen::MatrixXd
   forget_unseen(Eigen::MatrixXd &rows)
   {
