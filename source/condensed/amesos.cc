@@ -67,7 +67,7 @@ namespace conetact::condensed
         const_cast<Epetra_CrsMatrix *>(&matrix->trilinos_matrix()));
     }
 
-    // each refers to those before it
+    // Each member refers to those before it: they are destroyed after it.
     std::unique_ptr<TrilinosMatrix>    matrix;
     Epetra_LinearProblem               problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
@@ -79,7 +79,7 @@ namespace conetact::condensed
   Amesos::Amesos(const std::string &name, const RowMatrix &matrix)
   {
     ProcessSession::require_mpi();
-    // What fails is told by us, in a sentence.
+    // Failures are told by us, in a sentence.
     Epetra_Object::SetTracebackMode(0);
     implementation      = std::make_unique<Implementation>(to_trilinos(matrix));
     Implementation &own = *implementation;

@@ -107,6 +107,9 @@ namespace conetact::condensed
 
 
 
+  /* Triplets of the upper triangle: with a symmetric matrix MUMPS takes either
+     one. Values stay where they are, as MUMPS copies them when it
+     factorises. */
   void
   MumpsSchur::Implementation::analyse(const SparseMatrix              &upper,
                                       const std::vector<unsigned int> &node_of)
@@ -192,6 +195,9 @@ namespace conetact::condensed
 
 
 
+  /* MUMPS overwrites b by its answer. A plain solve goes through the factor
+     forwards and backwards, a reduction only forwards, an expansion only
+     backwards. */
   void
   MumpsSchur::Implementation::solve(const Phase          phase,
                                     Eigen::Ref<MatrixXd> b,
@@ -263,7 +269,8 @@ namespace conetact::condensed
     Implementation solver(upper, n_schur);
     solver.analyse(upper, node_of);
     const Mumps &mumps = *solver.mumps;
-    // Of the analysis: entries of the factor, workspace in MB, operations.
+    // The analysis estimates entries of the factor, INFOG(3), workspace in MB,
+    // INFOG(17), and operations, RINFOG(1).
     return {sizeof(double) * in_full(mumps.info(3)),
             1e6 * mumps.info(17),
             mumps.data.rinfog[0],

@@ -88,7 +88,7 @@ namespace conetact::condensed
       const MatrixXd TB = T * B;
       // The response to f and to forces along B such that B^T w = 0.
       MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
-      // once more on both sides: rounding of T is not free of motions
+      // (1 - B B^T) P (1 - B B^T): the rounding of T is not free of motions.
       P -= B * (B.transpose() * P).eval();
       P -= (P * B).eval() * B.transpose();
       return .5 * (P + P.transpose());

@@ -17,7 +17,7 @@ namespace conetact::contact
      * nodes, do not turn: a gap that is kept would have to turn as well. */
     constexpr double tied_apart = 1e-9;
 
-    /** Whether the tie goes on to be one where its bodies turn together. */
+    /** Tells whether a tie goes on to be one where its bodies turn together. */
     bool
     turns_along(const pairing::ContactNode &tie, const model::Bodies &bodies)
     {
@@ -26,7 +26,7 @@ namespace conetact::contact
                tied_apart * tie.spacing;
     }
 
-    /** What equations join turns together, or not at all. */
+    /** Bodies that equations join turn together, or not at all. */
     std::vector<bool>
     together(const RigidMotions &motions, const std::vector<bool> &alone)
     {
@@ -39,9 +39,9 @@ namespace conetact::contact
     }
 
     /**
-     * Of what is tied to a body: the one whose frame all of them have. It is
-     * held by supports alone, if one is: the others follow it by their ties,
-     * and turn where these are strained.
+     * The body whose frame all that are tied to a body have. It is held by
+     * supports alone, if one is: the others follow it by their ties, and turn
+     * where these are strained.
      */
     unsigned int
     leader_of(const unsigned int   body,
@@ -70,7 +70,9 @@ namespace conetact::contact
         "sliding in its contacts.");
     }
 
-    /** Whether anything may turn far. */
+    /**
+     * Only contacts that slide, and supports that turn, let anything turn far.
+     */
     bool
     may_go_far(const model::Bodies &bodies, const ContactPoints &points)
     {

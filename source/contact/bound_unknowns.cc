@@ -117,7 +117,8 @@ namespace conetact::contact
     // The coupling the other way round is the same but for signs.
     kept -= sign.head(n_k).asDiagonal() * coupling.transpose() *
             sign.tail(n_e).asDiagonal() * answer;
-    // and both triangles are alike but for rounding and these signs
+    // Both triangles are alike but for these signs and for rounding, which is
+    // taken out.
     const MatrixXd other = sign.head(n_k).asDiagonal() * kept.transpose() *
                            sign.head(n_k).asDiagonal();
     kept = .5 * (kept + other);

@@ -20,7 +20,7 @@ namespace conetact::contact
     using SparseMatrix = Eigen::SparseMatrix<double>;
     using Triplets     = std::vector<Eigen::Triplet<double>>;
 
-    /** factor * direction . u of a node, in own unknowns. */
+    /** Appends the entries of direction . u of a node in own unknowns. */
     void
     append(const BodyCoordinates &own,
            const Index            row,

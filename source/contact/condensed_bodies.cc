@@ -52,7 +52,9 @@ namespace conetact::contact
       }
   }
 
-  /* All bodies of a part have the matrix of the first. */
+  /* All bodies of a part have the matrix of the first. No element joins two
+     bodies, so that the matrix of a body is a block on the diagonal of that of
+     all. */
   void
   CondensedBodies::for_each_matrix(
     const std::function<void(std::size_t part, const Uncondensed &)> &act) const
@@ -116,6 +118,8 @@ namespace conetact::contact
     return sum;
   }
 
+  /* Equal bodies share an element, not their columns: it is asked once for each
+     body. */
   MatrixXd
   CondensedBodies::map(const MatrixXd &columns, const Answer &answer) const
   {

@@ -58,10 +58,9 @@ namespace conetact::contact
     assemble_system();
   }
 
-  /* v = (u of the node) - (u of the obstacle) or - sum of weight (u of a
-     master), in components along the dual directions: the matrix H of rows over
-     the own unknowns of all bodies. Motions of obstacles and supports are part
-     of q. */
+  /* The rows H over the own unknowns of all bodies: v = (u of the node) - (u of
+     the obstacle) or - sum of weight (u of a master), in components along the
+     dual directions. Motions of obstacles and supports are part of q. */
   Eigen::SparseMatrix<double>
   CondensedCompliance::rows() const
   {
@@ -75,6 +74,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* Other rows over the same bodies: K_b and P_b stay, W = H P H^T costs
+     products, and nothing is factorised. */
   bool
   CondensedCompliance::relink()
   {
@@ -126,7 +127,8 @@ namespace conetact::contact
            free.resistance(primal.tail(primal.size() - H.rows()));
   }
 
-  /* b = B^T (f - K d), and of it q = H w and the balance of motions. */
+  /* The load b = B^T (f - K d), in which prescribed displacements d act as
+     forces, and of it q = H w and the balance of motions. */
   void
   CondensedCompliance::reduce_one(const VectorXd &forces,
                                   const VectorXd &prescribed,
@@ -134,7 +136,6 @@ namespace conetact::contact
   {
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
-    // What is prescribed acts as a load.
     load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
     VectorXd all = reduce_all(load.b, forces);
     // R^T K = 0 for structures but for rounding, which must not carry anything:
@@ -230,7 +231,7 @@ namespace conetact::contact
     return {x.head(n), motions.own() * x.tail(x.size() - n)};
   }
 
-  /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
+  /* Each body has w = P (b + H^T r - K_s R a), and what is prescribed. */
   Eigen::MatrixXd
   CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
                               const std::vector<Eigen::VectorXd>  &primal) const
@@ -363,7 +364,7 @@ namespace conetact::contact
     const Index n = n_contact(), k = state.motions.size();
     start.v.conservativeResizeLike(VectorXd::Zero(n + k));
     start.r.conservativeResizeLike(VectorXd::Zero(n + k));
-    // motions count from where the problem is written about
+    // Motions count from those that the problem is written about.
     start.r.tail(k) = state.motions - state.base;
   }
 
@@ -405,7 +406,8 @@ namespace conetact::contact
     state.start.reset(); // reactions and motions are all there is
   }
 
-  /* q takes up by how much the recovered displacements miss W r + G a + q. */
+  /* The load q takes up by how much recovered displacements miss W r + G a +
+     q. */
   void
   CondensedCompliance::add_missed(const VectorXd &by_contacts,
                                   const VectorXd &by_bound,

@@ -51,7 +51,7 @@ namespace conetact::contact
               }};
     }
 
-    /** Rows of x of all own unknowns that a part has retained. */
+    /** The numbers among all own unknowns of those that a part has retained. */
     std::vector<Index>
     retained_rows(const CondensedBodies::Part &part,
                   const unsigned int           body,
@@ -127,6 +127,8 @@ namespace conetact::contact
           return S; // the usual case, and a large matrix
         if (K.size() == 0)
           K.setZero(n, n);
+        // Retained unknowns ascend in a body, contact unknowns go contact by
+        // contact: rows and columns are permuted.
         K(rows, rows) = S;
       }
     return K.size() > 0 ? K : MatrixXd::Zero(n, n);
@@ -158,6 +160,8 @@ namespace conetact::contact
     return load;
   }
 
+  /* b_C - K_CF K_FF^-1 b_F of each body, in the order of the contact
+     unknowns. */
   VectorXd
   CondensedStiffness::reduce_forces(const VectorXd &b) const
   {
@@ -171,6 +175,7 @@ namespace conetact::contact
     return reduced(own_unknown);
   }
 
+  /* K_FF u_F = b_F - K_FC u_C of each body, with the contact unknowns u_C. */
   MatrixXd
   CondensedStiffness::carry(const MatrixXd &b, const MatrixXd &contact) const
   {
@@ -193,7 +198,7 @@ namespace conetact::contact
                              const std::vector<VectorXd>         &primal) const
   {
     AssertDimension(loads.size(), primal.size());
-    // Where nothing has changed the displacements are those before.
+    // Displacements are those before where nothing has changed.
     std::vector<std::size_t> different;
     std::vector<Index>       column;
     for (std::size_t k = 0; k < loads.size(); ++k)

@@ -108,8 +108,8 @@ namespace conetact::contact
     // One stiffness K with a frame at each node serves only where each node is
     // in one contact, with an obstacle, and all of its slip is elastic. Bodies
     // that float lose digits in it, equal bodies would be condensed several
-    // times.
-    // A layer that is much softer than the body is added to W without loss.
+    // times. A layer that is much softer than the body is added to W without
+    // loss.
     const bool pairs =
       std::any_of(bodies.contact_nodes.begin(),
                   bodies.contact_nodes.end(),
@@ -117,9 +117,9 @@ namespace conetact::contact
                     return !node.masters.empty() || !node.slaves.empty() ||
                            (node.layer && node.layer->is_soft() && !node.bond);
                   });
-    // What slides far has other rows over the same bodies in each increment.
-    // Mechanisms are found in a stiffness only, which there is where contacts
-    // see all motions; it serves those that are some.
+    // Contacts that slide far have other rows over the same bodies in each
+    // increment. Mechanisms are found in a stiffness only, which there is where
+    // contacts see all motions; it serves those that are some.
     return pairs || points.slide() || points.have_prescribed_slip() ||
            points.share_nodes() ||
            (may_be_mechanism() ?
@@ -162,8 +162,9 @@ namespace conetact::contact
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     AssertDimension(mechanical.size(), coordinates.n_dofs());
-    // Supports that move as one carry their body along: that is the placement,
-    // and no force belongs to it. Only the rest of what they prescribe deforms.
+    // Supports that move as one carry their body along: that is the placement
+    // a_p, and no force belongs to it. Only the rest of what they prescribe
+    // deforms: d - (R a_p)_h, along what they hold.
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
@@ -173,7 +174,7 @@ namespace conetact::contact
         const Eigen::VectorXd rigid = motions.field(placement);
         far                         = std::max(far, solvers::largest(rigid));
         prescribed -= coordinates.held_part(rigid);
-        // Foundations do feel the placement.
+        // Foundations do feel the placement: K_s R a_p.
         all -= elastic.spring_forces(rigid);
       }
     if (const double zero = deformation_rounding * far; zero > 0)
@@ -189,8 +190,8 @@ namespace conetact::contact
     return load;
   }
 
-  /* What contacts see of placements and prescribed deformations, less the
-     motion of obstacles: displacements that are no unknowns. */
+  /* Displacements of contacts that are no unknowns: placements and prescribed
+     deformations, less the motion of obstacles. */
   Eigen::VectorXd
   ContactModel::all_offsets(const LoadCase &load, const double t) const
   {
@@ -337,6 +338,8 @@ namespace conetact::contact
     if (std::string why = points.relink(std::move(nodes), times); !why.empty())
       return why;
     motions.see_contacts(points);
+    // The iterative Elasticity has the axes of contacts in its unknowns: where
+    // these turn its start is taken over as a deformation.
     if (!made || made->relink())
       return {};
     Eigen::VectorXd w;
@@ -348,6 +351,9 @@ namespace conetact::contact
     return {};
   }
 
+  /* A cut stays as open as it is: that is a placement of its rigid body from
+     now on, and one free motion less. An Elasticity that is made anew has other
+     unknowns, and starts from the same deformation in these. */
   bool
   ContactModel::lock_cuts(const double           t,
                           const Eigen::VectorXd &u,

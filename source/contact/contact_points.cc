@@ -382,7 +382,7 @@ namespace conetact::contact
       add_one_tangent(point,
                       bodies.dim == 2 ? node.t1 :
                                         cross_product_3d(node.n, held[0]));
-    // the normal comes last, as solvers want it
+    // The normal comes last, as solvers want it.
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
     return {};

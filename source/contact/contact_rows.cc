@@ -43,7 +43,11 @@ namespace conetact::contact
       return rest;
     }
 
-    /** Where the reaction acts on the other side, undeformed and not moved. */
+    /**
+     * The point where the reaction acts on the other side, undeformed and not
+     * moved. A node that was found again at `moved` meets an obstacle at node +
+     * moved - (gap + n.moved) n.
+     */
     Point<3>
     foot_of(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
@@ -57,7 +61,7 @@ namespace conetact::contact
       return p;
     }
 
-    /** And on its own side. */
+    /** The point where it acts on its own side, a mean over slaves. */
     Point<3>
     acting_at(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
@@ -97,7 +101,7 @@ namespace conetact::contact
     row.area     = node.covered_area();
     row.foot     = foot_of(model.bodies, node);
     row.acts     = acting_at(model.bodies, node);
-    // tables name the normal only: whoever reads them knows its tangents
+    // Tables name the normal only: whoever reads them knows its tangents.
     std::tie(row.t1, row.t2) = pairing::tangents(node.n, model.bodies.dim);
   }
 
@@ -281,7 +285,8 @@ namespace conetact::contact
     row.fracture       = kept.fracture[k];
   }
 
-  /* What equations bind has moved by zero, to the last digit. */
+  /* A closed gap and its displacement are exact, to the last digit, where
+     equations bind: differences of displacements of bodies would not be. */
   void
   ContactRows::set_bound(const ContactPoint &point,
                          const Tensor<1, 3> &other,
@@ -309,6 +314,7 @@ namespace conetact::contact
       Tensor<1, 3>      normal, reaction, pressing, u, du; // in space
       double            weight = 0, largest = 0;
     };
+    // Keys are contact and node: a master of two contacts has a row in each.
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
@@ -332,10 +338,12 @@ namespace conetact::contact
             sum.row.foot = sum.row.position;
             sum.row.acts = sum.row.position;
             sum.row.area += weight * row.area;
-            // beside a face that is overhung weights are a little below zero
+            // Weights are a little below zero beside a face that is overhung.
             const double share = std::abs(weight);
             sum.row.gap += share * row.gap;
             sum.weight += share;
+            // The normal of the master points to the slave, the other way, and
+            // so do displacements: those of the master relative to the slave.
             sum.normal -= share * row.normal;
             // Forces add up with their sign, or the body would not balance;
             // means need weights above zero.

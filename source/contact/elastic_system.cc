@@ -82,7 +82,7 @@ namespace conetact::contact
                           {matrix, matrix + dofs.size() * dofs.size()},
                           s,
                           place};
-            // from the numbers of the body to those of the scene
+            // Numbers are those of the scene, not of the body.
             for (unsigned int &dof : spring.dofs)
               dof += offset;
             springs.push_back(std::move(spring));
@@ -188,7 +188,7 @@ namespace conetact::contact
           continue;
         const bodies::Structure &structure = *bodies.structures[body];
         part.setZero(structure.n_dofs());
-        // Bodies multiply by themselves: a continuum takes out what a cell
+        // Each body multiplies by itself: a continuum takes out what a cell
         // moves as a whole, which an assembled K u would round.
         visited += structure.add_internal_forces_at(
           nodes[body], u.segment(dof_offset[body], part.size()), part);
@@ -197,6 +197,8 @@ namespace conetact::contact
     return f;
   }
 
+  /* The rounding of a sum is measured by its terms: by eps sum_j |K_ij|
+     |u_j|. */
   Eigen::VectorXd
   ElasticSystem::terms(const Eigen::VectorXd   &u,
                        const SomeNodesOfBodies *nodes) const
@@ -228,6 +230,8 @@ namespace conetact::contact
     return f;
   }
 
+  /* Foundations of one body may overlap: the k-th of each body is in the k-th
+     vector, apart from its others. */
   std::vector<Eigen::VectorXd>
   ElasticSystem::forces_by_foundation(const Eigen::VectorXd &u) const
   {
@@ -256,7 +260,7 @@ namespace conetact::contact
       return dof_offset[support.body] +
              node * static_cast<Eigen::Index>(structure.n_components()) + c;
     };
-    // most foundations stand still
+    // Most foundations stand still.
     if (support.is_still())
       return moved;
     for (const bodies::SurfaceNode &node : support.surface.nodes)
@@ -293,6 +297,7 @@ namespace conetact::contact
     return f;
   }
 
+  /* f = K_s (g - u), with the displacement g of the ground. */
   std::vector<Foundation>
   ElasticSystem::foundations(const Eigen::VectorXd &u, const double t) const
   {

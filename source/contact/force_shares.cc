@@ -135,7 +135,8 @@ namespace conetact::contact
     bool
     exchange_forces(const std::vector<const Closed *> &group)
     {
-      // what is larger is no corner; its rank would take longer than it solves
+      // A larger group is no corner, and its rank would take longer than
+      // solving.
       constexpr Index       largest = 600;
       std::map<Node, Index> row_of;
       Index                 n_columns = 0;
@@ -193,8 +194,8 @@ namespace conetact::contact
         make_closed(points.all()[i], solvers::NodeState::stick, r));
     closed = joined(std::move(closed));
     for (const auto &group : groups_of(closed))
-      // what is bound by itself has its share as it is told, and cones in which
-      // nothing is carried cannot give
+      // Bound contacts by themselves have the shares of RedundantRows, and
+      // contacts that carry nothing cannot give.
       if (std::any_of(group.begin(),
                       group.end(),
                       [](const Closed *one) {

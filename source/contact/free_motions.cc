@@ -106,6 +106,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* -(R + Y)^T f: forces f drive motions, and by Y^T f = -R^T K_s P f by what
+     they press into the foundations. */
   Eigen::VectorXd
   FreeMotions::imbalance(const VectorXd &forces) const
   {

@@ -114,7 +114,7 @@ namespace conetact::contact
     for (const pairing::Obstacle &obstacle : obstacles)
       if (obstacle.free.any())
         {
-          // translations first, then rotations, as dofs of the first node are
+          // The dofs of the first node are translations first, then rotations.
           Eigen::Index dof = first[body++];
           for (const auto *values :
                {&obstacle.free.force, &obstacle.free.moment})

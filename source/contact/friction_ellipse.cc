@@ -45,7 +45,7 @@ namespace conetact::contact
         two = times(least_ratio, one);
     }
 
-    /** a one + b two */
+    /** Adds a one + b two, with all slopes. */
     FrictionLimit
     sum(const double         a,
         const FrictionLimit &one,
@@ -78,7 +78,7 @@ namespace conetact::contact
         two = without_pressure(two);
         lengthen(one, two);
         const double slope = std::sqrt(one.value * two.value);
-        // as a cone goes on below its vertex
+        // The limit of a pull is negative, as a cone goes on below its vertex.
         const double force =
           std::sqrt(std::abs(first.value) * std::abs(second.value));
         return {-force, slope, 0, 0};

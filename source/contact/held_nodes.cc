@@ -119,8 +119,8 @@ namespace conetact::contact
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      // Of a tie no node is given up: which of its rows a support implies is
-      // found where they are eliminated (BoundUnknowns).
+      // Ties give up no node: which of its rows a support implies is found
+      // where they are eliminated (BoundUnknowns).
       if (held[i] && nodes[i].is_mean && !nodes[i].is_tied())
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&

@@ -17,7 +17,7 @@ namespace conetact::contact
   {
     using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
 
-    /** What is bound, and of other contacts those that have the axes of their
+    /** Bound points, and those of other contacts that have the axes of their
      * nodes. */
     std::vector<const ContactPoint *>
     points_with_axes(const ContactPoints &points)
@@ -42,7 +42,11 @@ namespace conetact::contact
       return nullptr;
     }
 
-    /** Whether nodes with unknowns of their own contacts are masters, too. */
+    /**
+     * Tells whether nodes with unknowns of their own contacts are masters, too:
+     * these unknowns are relative to masters, which must be relative to nothing
+     * else.
+     */
     bool
     masters_are_slaves(const std::vector<const ContactPoint *> &points)
     {
@@ -58,8 +62,8 @@ namespace conetact::contact
     }
 
     /**
-     * Whether a mean over nodes has others in it that meet something or hang,
-     * or hardly its own one: the mean is the unknown, and tells the
+     * Tells whether a mean over nodes has others in it that meet something or
+     * hang, or hardly its own one: the mean is the unknown, and tells the
      * displacement of its own node over its weight, which is too small to
      * divide by.
      */
@@ -103,7 +107,7 @@ namespace conetact::contact
       return std::abs(a * b) > 1 - 1e-12;
     }
 
-    /** Whether supports hold all masters of a node along a direction. */
+    /** Tells whether supports hold all masters of a node along a direction. */
     bool
     are_masters_held(const pairing::ContactNode &node,
                      const Tensor<1, 3>         &direction,
@@ -118,8 +122,8 @@ namespace conetact::contact
         });
     }
 
-    /** Whether its tie opens along a direction that is not at a right angle to
-     * the axis of the cut. */
+    /** Tells whether a tie opens along a direction, that is, one that is not at
+     * a right angle to the axis of its cut. */
     bool
     opens_along(const pairing::ContactNode &node,
                 const Tensor<1, 3>         &direction,
@@ -135,8 +139,8 @@ namespace conetact::contact
     }
 
     /**
-     * Whether each direction that supports hold a bound node along is one of
-     * its own: a frictionless one, or one that is bound to masters which
+     * Tells whether each direction that supports hold a bound node along is one
+     * of its own: a frictionless one, or one that is bound to masters which
      * supports hold as well. Along these the node follows supports, along
      * others its masters.
      */

@@ -75,7 +75,7 @@ namespace conetact::contact
         Eigen::Index furthest = 0;
         moved.rowwise().squaredNorm().maxCoeff(&furthest);
         pins.push_back(furthest);
-        // what is left of the motions with it held
+        // The motions that are left with it held.
         const VectorXd row = moved.row(furthest).normalized();
         moved -= (moved * row).eval() * row.transpose();
       }

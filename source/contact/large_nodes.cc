@@ -211,7 +211,7 @@ namespace conetact::contact
       for (unsigned int b = 0; b < n; ++b)
         result.push_back(n_frames[group[b]] > 0 &&
                          (n_bodies[group[b]] == 1 || n_dofs[group[b]] <= few));
-      // What opens a tie is where its sides are.
+      // The rigid body that opens a tie is where its sides are.
       for (const auto &[body, sides] : sides_of_cuts(bodies))
         result[body] = result[sides];
       return result;
@@ -298,6 +298,8 @@ namespace conetact::contact
 
 
 
+  /* H of the unknowns is that of all dofs times C of u = C q: entries of a row
+     are added up where an unknown comes more than once. */
   std::optional<iterative::FurtherContacts>
   further_contacts(const model::Bodies &bodies,
                    const Coordinates   &coordinates,
@@ -329,6 +331,8 @@ namespace conetact::contact
 
 
 
+  /* Sides are numbered by bodies, from 1 on: nodes that are not told are on
+     side 0, with the master. A negative side is that of a node by itself. */
   std::map<unsigned int, int>
   sides_of_ties(const model::Bodies &bodies, const Coordinates &coordinates)
   {

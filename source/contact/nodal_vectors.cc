@@ -59,6 +59,8 @@ namespace conetact::contact
 
 
 
+  /* Rotations among dofs stay as they are: a body that has some has a frame
+     that does not turn (BodyFrames::may_turn). */
   Eigen::VectorXd
   NodalVectors::map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const
   {

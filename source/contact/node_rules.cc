@@ -75,6 +75,9 @@ namespace conetact::contact
     return held;
   }
 
+  /* Gram and Schmidt over the axes, of which each time the one is taken that is
+     furthest from the span: what is left of it is at least 1/sqrt(dim) long,
+     and its direction is known to all digits. */
   std::vector<Tensor<1, 3>>
   complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
   {
@@ -107,7 +110,7 @@ namespace conetact::contact
   {
     constexpr double largest_facet_angle = .1; // as a sine
 
-    // What meets nothing yet may do so later.
+    // A node that meets nothing yet may face a body later.
     const auto faces_body = [](const pairing::ContactNode &node) {
       return !node.masters.empty() || node.obstacle == nullptr;
     };

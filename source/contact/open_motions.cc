@@ -128,7 +128,7 @@ namespace conetact::contact
           !carries_nothing(friction.norm(), largest_force) &&
           (state.node[static_cast<std::size_t>(i)] ==
              solvers::NodeState::slip ||
-           // of cohesion, the solver says which is at its limit
+           // Limits with cohesion are known to the solver alone.
            (!bonded && is_at_limit(friction, points[i].mu * state.r[n])));
         const VectorXd along = friction.normalized();
         if (slips)

@@ -63,6 +63,7 @@ namespace conetact::contact
                                   "the bolt.");
           axis = face.normal / face.normal.norm();
         }
+      // An axis in the faces would let sides slide, not part.
       const double cosine = axis * face.normal;
       if (std::abs(cosine) < across)
         throw InputError(in + to_text(axis) +
@@ -128,6 +129,8 @@ namespace conetact::contact
     return made;
   }
 
+  /* The body of a cut has the force -F e, and the reactions r_i of the tie the
+     other way round: its balance is e . sum r_i = -F. */
   void
   add_preload_forces(const std::vector<pairing::Contact> &contacts,
                      const model::Bodies                 &bodies,

@@ -42,7 +42,7 @@ namespace conetact::contact
         n_numbers = n_unknowns + static_cast<Number>(affine.n_constraints());
       }
 
-      /** Whether all of the element's dofs are unknowns. */
+      /** Tells whether all dofs of an element are unknowns. */
       bool
       find_numbers(const std::vector<unsigned int> &dofs, Numbers &found) const
       {
@@ -214,6 +214,7 @@ namespace conetact::contact
       nodes);
   }
 
+  /* C^T K C is the sum of C_e^T K_e C_e over elements. */
   void
   for_each_element(const ElasticSystem     &system,
                    const LinearMap         &coordinates,
@@ -243,6 +244,8 @@ namespace conetact::contact
 
 
 
+  /* A node is meant if one of its dofs depends on one of these unknowns: nodes
+     that hang on others, or follow masters, are found by the rows of C. */
   SomeNodesOfBodies
   nodes_of(const model::Bodies     &bodies,
            const LinearMap         &coordinates,

@@ -29,7 +29,7 @@ namespace conetact::contact
       return e;
     }
 
-    /** Whether mode k is one of a body of revolution round y. */
+    /** The one motion of a body of revolution is along y: mode 1. */
     bool
     is_axial(const unsigned int k)
     {
@@ -83,6 +83,7 @@ namespace conetact::contact
       return frame;
     }
 
+    /** A unit vector with four digits, so that rounding is not told. */
     std::string
     direction_text(Tensor<1, 3> v)
     {
@@ -232,13 +233,15 @@ namespace conetact::contact
     std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)
       if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
-          // Of bodies that move alike the first is named, not one by rounding.
+          // Bodies may move alike: the first is named, not one by rounding.
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
                     .norm())
         best = body;
     return in_space(modes, static_cast<unsigned int>(best));
   }
 
+  /* The work of forces on the modes of each body, (R^T f)_k a_k: the body that
+     is pushed most is the one to name, not one that only goes along. */
   RigidModes::Motion
   RigidModes::driven_most(const Amounts         &modes,
                           const Eigen::VectorXd &forces) const
@@ -267,6 +270,7 @@ namespace conetact::contact
   std::string
   describe(const RigidModes::Motion &motion)
   {
+    // Both are lengths: one is rounding below a millionth of the other.
     const double translation = motion.translation.norm();
     const double rotation    = motion.size * motion.rotation.norm();
     const double small       = 1e-6 * std::max(translation, rotation);

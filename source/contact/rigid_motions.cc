@@ -131,7 +131,7 @@ namespace conetact::contact
       return reached;
     }
 
-    /** Whether ties join the body to others. */
+    /** Tells whether ties join a body to others. */
     bool
     is_tied(const unsigned int   body,
             const model::Bodies &bodies,
@@ -235,7 +235,7 @@ namespace conetact::contact
 
 
 
-  /* Where nothing is tied all own motions are free, as they are. */
+  /* All own motions are free, as they are, where nothing is tied. */
   void
   RigidMotions::tie(const ContactPoints &points)
   {
@@ -453,7 +453,7 @@ namespace conetact::contact
                 amounts[first + h.component];
           }
         ties.add_missing(t, amounts, right);
-        // What is locked does not give way to the others.
+        // A locked cut does not give way to the others.
         for (const model::Cut &cut : bodies.cuts)
           if (cut.opening)
             right.segment(cut.body * n_one, n_one).setZero();

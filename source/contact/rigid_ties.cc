@@ -81,7 +81,8 @@ namespace conetact::contact
 
 
 
-  /* sum t^T t: its null space among modes are the motions that no tie sees. */
+  /* The sum of t^T t over ties: its null space among modes are the motions that
+     no tie sees. */
   Eigen::MatrixXd
   RigidTies::squares(const unsigned int               first_body,
                      const std::vector<Eigen::Index> &among) const
@@ -103,8 +104,8 @@ namespace conetact::contact
 
 
 
-  /* sum t^T (d - t . a): d is how far an obstacle has moved that a body is tied
-     to, 0 between bodies. */
+  /* The sum of t^T (d - t . a): d is how far an obstacle has moved that a body
+     is tied to, 0 between bodies. */
   void
   RigidTies::add_missing(const double               t,
                          const RigidModes::Amounts &amounts,

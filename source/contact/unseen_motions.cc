@@ -31,7 +31,8 @@ namespace conetact::contact
     if (n == 0)
       return {rows.cols(), 0};
     const Eigen::MatrixXd near = squares.eigenvectors().leftCols(n);
-    // with rows of zeros there are as many right vectors as columns
+    // Rows of zeros are added: a thin SVD has as many right vectors as columns
+    // then.
     Eigen::MatrixXd seen      = Eigen::MatrixXd::Zero(rows.rows() + n, n);
     seen.topRows(rows.rows()) = rows * near;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeThinV);

@@ -42,7 +42,7 @@ namespace conetact::verification
       /** Along the second axis, if it is another one [force]. */
       std::optional<double> second = {};
 
-      /** What friction carries beyond its limit [force]. */
+      /** Friction beyond its limit [force]. */
       double
       beyond(const VectorXd &r_t) const
       {
@@ -139,7 +139,7 @@ namespace conetact::verification
         limit += bond * node.bond->cohesion(here);
       limit = std::min(limit,
                        node.friction->largest_force(here, node.covered_area()));
-      // a coefficient or a limit that falls below 0 is none
+      // A coefficient or a limit that falls below 0 is none.
       return std::max(limit, 0.);
     }
 
@@ -287,7 +287,7 @@ namespace conetact::verification
                      std::numeric_limits<double>::infinity(),
              name);
     }
-    /** What slips, or opens against its bond, does so against its friction. */
+    /** Slips, and openings against a bond, go against their friction. */
     void
     slide(const Seen     &seen,
           const VectorXd &r_t,
@@ -321,7 +321,7 @@ namespace conetact::verification
             std::max({scales.noise,
                       scales.rounding[node.body],
                       scales.rounding[other]}),
-            // v is a difference of positions.
+            // Displacements v are differences of positions.
             rounding_of_positions *
               std::max(scales.reach[node.body], scales.reach[other]),
             k};

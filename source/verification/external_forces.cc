@@ -74,7 +74,8 @@ namespace conetact::verification
         if (force.norm_square() == 0 && moment.norm_square() == 0)
           return; // as on most nodes
         Balance &balance = all.bodies[body];
-        // What opens a cut is no body: it balances, nothing else knows it.
+        // The rigid body of a cut is none of the scene: it balances, nothing
+        // else knows it.
         model::Resultant  unseen;
         model::Resultant &sum = is_cut(body) ? unseen : resultant;
         sum.force += force;
@@ -84,7 +85,7 @@ namespace conetact::verification
           std::max(balance.largest_moment, moment.norm());
         if (bodies.structures[body]->is_axisymmetric())
           {
-            // What acts radially cancels round the axis, moments do, too.
+            // Radial forces cancel round the axis, and so do moments.
             balance.sum.force[1] += force[1];
             return;
           }
@@ -177,7 +178,8 @@ namespace conetact::verification
       std::vector<Point<3>> centres;
     };
 
-    /** Forces along what supports hold, each by the first that holds it. */
+    /** Gives what is left at nodes that supports hold to these supports, each
+     * direction to the first that holds it. */
     void
     collect_supports(const ActedOn         &on,
                      const Eigen::VectorXd &rest,

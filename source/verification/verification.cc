@@ -64,7 +64,7 @@ namespace conetact::verification
                                        const double    t) const
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    // v = H u from the definition, node by node: the H of the solver is not
+    // H u follows from the definition, node by node: the H of the solver is not
     // asked.
     VectorXd   v(points.n_all_unknowns());
     const auto at = [&](const unsigned int body, const unsigned int node) {
@@ -100,7 +100,7 @@ namespace conetact::verification
                        const Finding &out,
                        const Share   &share) const
   {
-    // of each body: load, way, coordinate
+    // Three numbers of each body: the largest load, way and coordinate.
     const auto n_bodies = static_cast<Index>(bodies.structures.size());
     VectorXd   own      = VectorXd::Zero(3 * n_bodies);
     share.for_each_node(
@@ -129,7 +129,8 @@ namespace conetact::verification
         scales.reach.push_back(largest[3 * body + 2] + largest[3 * body + 1]);
         scales.history[b] = std::max(scales.history[b], scales.nodal.back());
       }
-    // bodies are solved together: what is small beside others has their noise
+    // Bodies are solved together: forces that are small beside those of others
+    // have their noise.
     scales.noise =
       noise * *std::max_element(scales.history.begin(), scales.history.end());
     return scales;
@@ -266,7 +267,7 @@ namespace conetact::verification
     out.displacements = relative_displacements(points.all(), *out.u, t);
     out.change        = out.displacements;
     if (last.u)
-      // of the same nodes and foots, where they were
+      // The same nodes and feet are asked, where they were.
       out.change -= relative_displacements(points.all(), *last.u, last.t);
     out.change_as_before = out.change;
     if (!last.points.empty())
@@ -313,8 +314,8 @@ namespace conetact::verification
                           const Share &share,
                           Finding     &out) const
   {
-    // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
-    // nobody computes it.
+    // Gaps see all of u = R a + w, forces only w: K R = 0 is exact where nobody
+    // computes it.
     VectorXd u = motions.field(claim.amounts);
     u += *claim.w;
     out.u           = contact::shared(plain.displacements(std::move(u)));
