@@ -98,6 +98,11 @@ namespace conetact::condensed
       graph.first[n_vertices] = kept;
     }
 
+    /**
+     * Lists of neighbours from pairs, each of which stands in two of them.
+     * Neighbours of v are counted in first[v + 1]: partial sums of these are
+     * where lists begin.
+     */
     Graph
     make_graph(const std::vector<std::pair<int, int>> &pairs,
                const int                               n_vertices)

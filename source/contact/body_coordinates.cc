@@ -14,8 +14,8 @@ namespace conetact::contact
   {
     using Directions = std::vector<Tensor<1, 3>>;
 
-    /** An orthonormal basis of what supports leave of space, of axes where it
-     * can be. */
+    /** An orthonormal basis of what supports leave of space, made of axes where
+     * it can be. */
     Directions
     left_over(const NodeRule *rule, const unsigned int dim)
     {

@@ -198,6 +198,8 @@ namespace conetact::contact
       }
   }
 
+  /* Displacements that supports prescribe are told in frames: as differences of
+     positions that are as far apart as this, whose rounding they have. */
   double
   BodyFrames::largest_way() const
   {

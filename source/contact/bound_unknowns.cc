@@ -163,6 +163,8 @@ namespace conetact::contact
                                 chosen_part(bound_load)));
   }
 
+  /* y = -E^-1 (B x + load). Rows that others imply have no reaction in y; of
+     all reactions that do the same the least are given in the end. */
   Eigen::VectorXd
   BoundUnknowns::bound_of(const VectorXd &unknowns,
                           const VectorXd &bound_load) const

@@ -301,9 +301,10 @@ namespace conetact::contact
     end.u += seen;
   }
 
-  /* The iterative Elasticity has contact unknowns behind all others, of which a
-     checkpoint may come; without them displacements q tell. One stiffness of
-     all knows no motions apart from displacements: G a is added. */
+  /* The iterative Elasticity, which a checkpoint may come from, has contact
+     unknowns behind all others; without them displacements q tell. One
+     stiffness of all knows no motions apart from displacements: G a is
+     added. */
   void
   CondensedStiffness::restore(const std::vector<double> &start,
                               const VectorXd            &q,

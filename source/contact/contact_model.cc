@@ -20,8 +20,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /** A prescribed deformation below this part of the way of its body is the
-     * rounding of that way: 64 eps, as it is the difference of two sums. */
+    /** A prescribed deformation below this part of the longest way of a body is
+     * the rounding of ways: 64 eps, as it is the difference of two sums. */
     constexpr double deformation_rounding = 64 * 2.2e-16;
 
     /** Directions of ties turn with their bodies. */
@@ -98,6 +98,8 @@ namespace conetact::contact
     return nullptr;
   }
 
+  /* Stiffness is the faster form, a matrix without an inverse. Compliance, v =
+     W r + G a + q, takes anything. */
   bool
   ContactModel::needs_compliance() const
   {

@@ -326,6 +326,8 @@ namespace conetact::contact
             return true;
         for (const double t : times)
           {
+            // Supports prescribe this slip along e, of the node less that of
+            // what it meets: e . (d - d_obstacle - sum w_k d_k).
             double slip = supports.displacement(own, node.position, t);
             slip -= pairing::obstacle_displacement(node, t) * own.direction;
             for (const auto &[master, weight] : masters)

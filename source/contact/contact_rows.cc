@@ -262,8 +262,8 @@ namespace conetact::contact
     const ContactPoint &point = model.points[i];
     row.gap                   = state.v[point.normal()];
     row.u                     = in_frame(row, tangential(point, q)) + other;
-    // The normal part is the solver's own: where the gap is closed, u_n
-    // is -g0 to the last digit.
+    // The normal part is the solver's own: where the gap is closed, u_n is -g0
+    // to the last digit.
     row.u[0] = q[point.normal()];
     row.du =
       in_frame(row, tangential(point, state.v)) + (other - other_before[i]);

@@ -18,8 +18,8 @@ namespace conetact::contact
   {
     /**
      * Refuses a layer that closes less under more pressure, which has no one
-     * answer: C(p) p must not fall at p. A step of 1e-6 p tells the slope, and
-     * a thousandth of it is rounding.
+     * answer: C(p) p must not fall from p to p (1 + 1e-6). A fall by a
+     * thousandth of this part is rounding.
      */
     void
     refuse_falling_closing(const pairing::ContactNode &node,
@@ -186,6 +186,8 @@ namespace conetact::contact
     return h * sum;
   }
 
+  /* A bond that has opened by more than rounding is not whole, even if it still
+     bears something. */
   bool
   IncrementLaws::is_whole(const std::size_t i,
                           const double      opened,

@@ -11,6 +11,9 @@ namespace conetact::contact
 {
   using Eigen::VectorXd;
 
+  /* Translations e and rotations e x (p - c) about the mean c of all nodes, as
+     each body sees them in its frame; rotating nodes turn by the same angle.
+     Columns have unit length. */
   Eigen::MatrixXd
   common_motions(const model::Bodies &bodies, const Coordinates &coordinates)
   {

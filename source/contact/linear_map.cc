@@ -51,6 +51,9 @@ namespace conetact::contact
     return result;
   }
 
+  /* C^T f with zeros in all other rows: a first pass finds the range of
+     unknowns that these rows have, so that no vector of all of them is
+     needed. */
   LinearMap::SomeUnknowns
   LinearMap::restrict_rows(const Eigen::Index     begin,
                            const Eigen::VectorXd &f) const

@@ -83,6 +83,10 @@ namespace conetact::contact
     return friction.norm() >= (1 - at_limit) * largest_friction;
   }
 
+  /* Rows G of contacts that press, and of tangents that stick, must not move
+     (`opposed`): open motions are their null space. Others may become larger,
+     and smaller by the room that they have (`bounded`): gaps, and slips along
+     their directions. */
   OpenMotions::OpenMotions(const RigidMotions          &m,
                            const ContactPoints         &points,
                            const solvers::ContactState &state,

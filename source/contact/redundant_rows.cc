@@ -135,6 +135,7 @@ namespace conetact::contact
           for (Rows::InnerIterator it(rows, first[i] + row); it; ++it)
             if (const auto column = own.find(it.col()); column != own.end())
               local(column->second, row) += it.value();
+        // Pivots fall: the last one tells whether columns are independent.
         const Eigen::ColPivHouseholderQR<MatrixXd> qr(local);
         return std::abs(qr.matrixR()(n - 1, n - 1)) > safe;
       }

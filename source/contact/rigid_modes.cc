@@ -144,6 +144,8 @@ namespace conetact::contact
                         bodies.structures[body]->position(node));
   }
 
+  /* The sum of all modes, as translation and rotation vector: amounts over the
+     size are angles. */
   RigidModes::Motion
   RigidModes::of_body(const Amounts &amounts, const unsigned int body) const
   {

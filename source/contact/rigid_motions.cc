@@ -413,6 +413,8 @@ namespace conetact::contact
 
 
 
+  /* Motions that neither springs nor contacts see are the null space of G^T G,
+     with G of the motions that no spring resists. */
   Eigen::MatrixXd
   RigidMotions::unseen() const
   {

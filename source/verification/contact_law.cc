@@ -357,6 +357,9 @@ namespace conetact::verification
 
 
 
+  /* r_n + pull >= 0, |r_t| <= f; open: r_n + pull = 0, g >= 0; closed: g = 0;
+     stuck: no slip; slipping: friction at its limit, against the slip. In
+     compliant layers slip and g are those of seen_by_laws(). */
   ContactLaw::Errors
   ContactLaw::errors_of_candidate(const std::size_t i,
                                   const Claim      &claim,
