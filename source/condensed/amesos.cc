@@ -25,6 +25,8 @@ namespace conetact::condensed
     using RowMatrix      = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     using TrilinosMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
+    /** A copy on this process alone, row by row: the matrix of each process is
+     * another one, whatever others do. */
     std::unique_ptr<TrilinosMatrix>
     to_trilinos(const RowMatrix &matrix)
     {
@@ -65,7 +67,7 @@ namespace conetact::condensed
         const_cast<Epetra_CrsMatrix *>(&matrix->trilinos_matrix()));
     }
 
-    // each refers to those before it
+    // Each member refers to those before it: they are destroyed after it.
     std::unique_ptr<TrilinosMatrix>    matrix;
     Epetra_LinearProblem               problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
@@ -77,7 +79,7 @@ namespace conetact::condensed
   Amesos::Amesos(const std::string &name, const RowMatrix &matrix)
   {
     ProcessSession::require_mpi();
-    // What fails is told by us, in a sentence.
+    // Failures are told by us, in a sentence.
     Epetra_Object::SetTracebackMode(0);
     implementation      = std::make_unique<Implementation>(to_trilinos(matrix));
     Implementation &own = *implementation;
@@ -89,7 +91,7 @@ namespace conetact::condensed
     Teuchos::ParameterList &mumps = parameters.sublist("mumps");
     mumps.set("ICNTL(6)", 0);    // columns stay where they are
     mumps.set("ICNTL(8)", 0);    // the matrix is scaled already
-    mumps.set("ICNTL(14)", 100); // spare workspace [%]
+    mumps.set("ICNTL(14)", 100); // spare workspace [%], not raised later
     own.solver->SetParameters(parameters);
     const ManyThreads threads;
     // A failure may be a singular matrix or want of memory: who asked has to

@@ -14,12 +14,13 @@ namespace conetact::condensed
 {
   namespace
   {
-    // Right-hand sides that are treated together: they are as long as A_FF is
-    // large, and dense.
+    // Right-hand sides of one solve: each is as long as A_FF is large, and
+    // dense.
     constexpr Eigen::Index columns_a_solve = 64;
 
-    // Of the diagonal: makes any singular stiffness regular, and is so small
-    // that one step of inverse iteration still finds what moves freely.
+    // This part of the diagonal, added to it, makes any singular stiffness
+    // regular, and is so small that one step of inverse iteration still finds
+    // what moves freely.
     constexpr double small_shift = 1e-10;
   } // namespace
 
@@ -108,6 +109,8 @@ namespace conetact::condensed
 
 
 
+  /* A_FF^-1 = D (D A_FF D)^-1 D with the uneven scale D, which the factor
+     has. */
   Eigen::MatrixXd
   AmesosSchur::solve(const MatrixXd &b) const
   {
@@ -150,6 +153,7 @@ namespace conetact::condensed
   {
     AssertDimension(b.rows(), n_eliminated + n_schur);
     MatrixXd reduced = b.bottomRows(n_schur);
+    // Loads on contact nodes alone, as reactions are, need no solve.
     if (reduced.size() == 0 || b.topRows(n_eliminated).isZero(0.))
       return reduced;
     for (Index first = 0; first < b.cols(); first += columns_a_solve)

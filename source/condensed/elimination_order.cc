@@ -37,8 +37,12 @@ namespace conetact::condensed
 
 
 
-    // Pairs of vertices that share an entry of the matrix. Where the unknowns
-    // of a node do not stand together, a pair may come more than once.
+    // Pairs of vertices that share an entry of the matrix: the upper triangle
+    // has each once, but for every pair of their unknowns. Columns of one
+    // vertex follow each other, so that the vertex from which another one was
+    // seen last tells these repetitions, at the cost of one number a vertex.
+    // Where the unknowns of a node do not stand together, a pair may come more
+    // than once.
     std::vector<std::pair<int, int>>
     coupled_vertices(const Eigen::SparseMatrix<double> &upper,
                      const Numbers                     &vertex_of,
@@ -70,6 +74,11 @@ namespace conetact::condensed
       std::vector<idx_t> first, neighbors;
     };
 
+    /**
+     * Sorts and shortens the lists of neighbours in place. Entries that are
+     * kept never reach beyond the beginning of their own list, so that later
+     * lists are still whole, and each first[v] is read before it is written.
+     */
     void
     remove_repetitions(Graph &graph)
     {
@@ -89,6 +98,11 @@ namespace conetact::condensed
       graph.first[n_vertices] = kept;
     }
 
+    /**
+     * Lists of neighbours from pairs, each of which stands in two of them.
+     * Neighbours of v are counted in first[v + 1]: partial sums of these are
+     * where lists begin.
+     */
     Graph
     make_graph(const std::vector<std::pair<int, int>> &pairs,
                const int                               n_vertices)
@@ -117,7 +131,8 @@ namespace conetact::condensed
 
 
 
-    // Vertices in the order of elimination.
+    // Vertices in the order of elimination, `perm` of METIS; its inverse is not
+    // needed. Weights are numbers of unknowns.
     std::vector<idx_t>
     nested_dissection(Graph graph, std::vector<idx_t> weights)
     {

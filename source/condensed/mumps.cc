@@ -53,6 +53,10 @@ namespace conetact::condensed
 
 
 
+  /* Symmetric factorisation of "positive definite" matrices means that MUMPS
+     does not pivot, not that it looks: it factorises indefinite ones without a
+     word, and only the number of negative pivots tells. Errors -8 and -9 say
+     that workspace does not suffice. */
   void
   Mumps::factorize()
   {
@@ -92,6 +96,7 @@ namespace conetact::condensed
   Mumps::throw_errors() const
   {
     const int error = info(1);
+    // Memory that cannot be allocated; a pivot that is zero; anything else.
     if (error == -5 || error == -7 || error == -13)
       throw std::bad_alloc();
     if (error == -10)

@@ -86,8 +86,9 @@ namespace conetact::condensed
     void
     solve(const Phase phase, Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
 
-    // Leaves the forward elimination of b = 0 inside MUMPS at no cost: as
-    // right-hand sides of one zero each, among the unknowns C.
+    // Leaves the forward elimination of b = 0 inside MUMPS at no cost: it is
+    // given sparse right-hand sides with a single entry, a zero of an unknown
+    // C.
     void
     reduce_nothing(Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
 
@@ -106,6 +107,9 @@ namespace conetact::condensed
 
 
 
+  /* Triplets of the upper triangle: with a symmetric matrix MUMPS takes either
+     one. Values stay where they are, as MUMPS copies them when it
+     factorises. */
   void
   MumpsSchur::Implementation::analyse(const SparseMatrix              &upper,
                                       const std::vector<unsigned int> &node_of)
@@ -137,7 +141,8 @@ namespace conetact::condensed
         std::iota(schur_unknowns.begin(),
                   schur_unknowns.end(),
                   static_cast<int>(n_eliminated) + 1);
-        // The Schur complement comes dense and on this process.
+        // The Schur complement comes dense and on this process; its unknowns
+        // are the last ones of the order that is given.
         mumps->control(19) = 1;
         data.size_schur    = static_cast<int>(n_schur);
         data.listvar_schur = schur_unknowns.data();
@@ -181,6 +186,7 @@ namespace conetact::condensed
     rows = columns = order = std::vector<int>();
     mirror_upper_triangle(schur);
 
+    // A factor without zero pivots is no proof: see free_motion.h.
     MatrixXd v = MatrixXd::Zero(n, 1), none = MatrixXd::Zero(n_schur, 1);
     v.topRows(n_eliminated) = probe_load(diagonal.head(n_eliminated));
     solve(eliminated_only, v, none);
@@ -189,6 +195,9 @@ namespace conetact::condensed
 
 
 
+  /* MUMPS overwrites b by its answer. A plain solve goes through the factor
+     forwards and backwards, a reduction only forwards, an expansion only
+     backwards. */
   void
   MumpsSchur::Implementation::solve(const Phase          phase,
                                     Eigen::Ref<MatrixXd> b,
@@ -260,7 +269,8 @@ namespace conetact::condensed
     Implementation solver(upper, n_schur);
     solver.analyse(upper, node_of);
     const Mumps &mumps = *solver.mumps;
-    // Of the analysis: entries of the factor, workspace in MB, operations.
+    // The analysis estimates entries of the factor, INFOG(3), workspace in MB,
+    // INFOG(17), and operations, RINFOG(1).
     return {sizeof(double) * in_full(mumps.info(3)),
             1e6 * mumps.info(17),
             mumps.data.rinfog[0],
@@ -323,12 +333,15 @@ namespace conetact::condensed
             solver.solve(Implementation::eliminated_only, block, reduced);
             continue;
           }
-        // The forward elimination stays inside MUMPS for the expansion.
-        // Prescribed displacements without loads need no forward elimination.
+        // A_FF = L D L^T: the reduction leaves the forward elimination of b_F
+        // inside MUMPS, the expansion takes u_C and solves backwards. One is no
+        // use without the other. Prescribed displacements without loads need no
+        // forward elimination.
         if (block.topRows(solver.n_eliminated).isZero(0.))
           solver.reduce_nothing(block, reduced);
         else
           solver.solve(Implementation::reduction, block, reduced);
+        // One array for both: reduced loads go out, u_C comes in.
         reduced = u_C.middleCols(first, count);
         solver.solve(Implementation::expansion, block, reduced);
       }

@@ -72,7 +72,7 @@ namespace conetact::condensed
     Assert(static_cast<std::size_t>(diagonal.size()) <= node_of.size(),
            dealii::ExcMessage("Each unknown has a node."));
     for (Index i = 0; i < diagonal.size(); ++i)
-      // Also where it is not a number.
+      // A comparison with what is not a number is false: it is refused as well.
       if (!(diagonal[i] > 0.))
         throw SingularMatrix(node_of[static_cast<std::size_t>(i)]);
   }

@@ -20,6 +20,8 @@ namespace conetact::condensed
     using SparseMatrix = Eigen::SparseMatrix<double>;
     using Places       = Eigen::PermutationMatrix<Eigen::Dynamic>;
 
+    /** Places of unknowns: those that are retained come last, all others first,
+     * both in the order that they have. */
     Places
     retained_last(const Index n, const std::vector<Index> &retained)
     {
@@ -55,7 +57,8 @@ namespace conetact::condensed
       return result;
     }
 
-    /** A power of two, so that dividing by it rounds nothing. */
+    /** The mean entry of the diagonal, as a power of two: dividing by it rounds
+     * nothing. */
     double
     mean_diagonal(const SparseMatrix &upper)
     {
@@ -70,21 +73,22 @@ namespace conetact::condensed
     {
       if (S.rows() == 0)
         return S;
-      // Any alpha > 0 gives the same P. Of the size of S it leaves the
-      // condition of the rest alone.
+      // Any alpha > 0 gives the same P: it stiffens the motions B, which are
+      // taken out below. Of the size of S it leaves the condition of the rest
+      // alone.
       const double         alpha = S.diagonal().mean();
       const MatrixXd       held  = S + alpha * B * B.transpose();
       Eigen::LLT<MatrixXd> cholesky(held);
       if (cholesky.info() != Eigen::Success)
         throw SingularMatrix({});
       const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
-      // held by supports or foundations
+      // A body that supports or foundations hold has no free motion: P = S^-1.
       if (B.cols() == 0)
         return .5 * (T + T.transpose());
       const MatrixXd TB = T * B;
       // The response to f and to forces along B such that B^T w = 0.
       MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
-      // once more on both sides: rounding of T is not free of motions
+      // (1 - B B^T) P (1 - B B^T): the rounding of T is not free of motions.
       P -= B * (B.transpose() * P).eval();
       P -= (P * B).eval() * B.transpose();
       return .5 * (P + P.transpose());
@@ -117,7 +121,8 @@ namespace conetact::condensed
         scale;
     const VectorXd stiffness = S.diagonal();
     S.resize(0, 0);
-    // So soft are slender beams and mechanisms; strain energy tells which.
+    // P_ii S_ii has no units and grows with slenderness. Slender beams may have
+    // this, and so have mechanisms: strain energy tells which.
     constexpr double soft = 1e12;
     if ((scale * P.diagonal().array() * stiffness.array() > soft).any())
       refuse_free_motion(upper, deform(probe_load(upper.diagonal())), node_of);
@@ -164,8 +169,9 @@ namespace conetact::condensed
     Assert(forces.allFinite(), dealii::ExcMessage("Forces are finite."));
     AssertDimension(P.rows(), static_cast<Index>(kept.size()));
     const MatrixXd b = to_solver(forces);
-    // Retained unknowns first; they carry the rest along, which has loads of
-    // its own.
+    // w_C = P (f_C - K_CF K_FF^-1 f_F) first, then K_FF w_F = f_F - K_FC w_C.
+    // The factor is that of K / scale: loads are divided as well, P is that of
+    // K.
     const MatrixXd w = P * factor->reduce(b);
     return place.transpose() * factor->expand(b / scale, w);
   }

@@ -14,7 +14,8 @@ namespace conetact::contact
   {
     using Directions = std::vector<Tensor<1, 3>>;
 
-    /** An orthonormal basis of what is left, in the order of the axes. */
+    /** An orthonormal basis of what supports leave of space, made of axes where
+     * it can be. */
     Directions
     left_over(const NodeRule *rule, const unsigned int dim)
     {
@@ -136,6 +137,8 @@ namespace conetact::contact
         }
   }
 
+  /* The row of a dof: u_c = sum_k p_k (e_k)_c over the unknowns along e_k of
+     its node. */
   void
   BodyCoordinates::append_row(const unsigned int body,
                               const unsigned int node,

@@ -13,10 +13,11 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Over the spacing of nodes: ties of what is further apart do not turn. */
+    /** Ties of sides that are further apart than this, over the spacing of
+     * nodes, do not turn: a gap that is kept would have to turn as well. */
     constexpr double tied_apart = 1e-9;
 
-    /** Whether the tie goes on to be one where its bodies turn together. */
+    /** Tells whether a tie goes on to be one where its bodies turn together. */
     bool
     turns_along(const pairing::ContactNode &tie, const model::Bodies &bodies)
     {
@@ -25,7 +26,7 @@ namespace conetact::contact
                tied_apart * tie.spacing;
     }
 
-    /** What equations join turns together, or not at all. */
+    /** Bodies that equations join turn together, or not at all. */
     std::vector<bool>
     together(const RigidMotions &motions, const std::vector<bool> &alone)
     {
@@ -38,9 +39,9 @@ namespace conetact::contact
     }
 
     /**
-     * Of what is tied to a body: the one whose frame all of them have. It is
-     * held by supports alone, if one is: the others follow it by their ties,
-     * and turn where these are strained.
+     * The body whose frame all that are tied to a body have. It is held by
+     * supports alone, if one is: the others follow it by their ties, and turn
+     * where these are strained.
      */
     unsigned int
     leader_of(const unsigned int   body,
@@ -69,7 +70,9 @@ namespace conetact::contact
         "sliding in its contacts.");
     }
 
-    /** Whether anything may turn far. */
+    /**
+     * Only contacts that slide, and supports that turn, let anything turn far.
+     */
     bool
     may_go_far(const model::Bodies &bodies, const ContactPoints &points)
     {
@@ -159,7 +162,9 @@ namespace conetact::contact
     bodies.frames = std::move(frames);
   }
 
-  /* What is tied has one frame: rigid motions leave ties alone. */
+  /* x = c + d + Q (X - c): a small motion a + omega x (X - c), in components of
+     the frame, makes d + Q a of d and Q exp(omega) of Q. What is tied has one
+     frame: rigid motions leave ties alone. */
   void
   BodyFrames::move(const Eigen::VectorXd &amounts)
   {
@@ -176,7 +181,9 @@ namespace conetact::contact
         }
   }
 
-  /* Placements are small motions: it takes a few to follow a far turn. */
+  /* Placements are linear in the turn, and each is found in the frame that the
+     one before has left: a few follow a far turn, until the rest is the
+     rounding of an angle. */
   void
   BodyFrames::move_with_supports(const double t)
   {
@@ -191,6 +198,8 @@ namespace conetact::contact
       }
   }
 
+  /* Displacements that supports prescribe are told in frames: as differences of
+     positions that are as far apart as this, whose rounding they have. */
   double
   BodyFrames::largest_way() const
   {

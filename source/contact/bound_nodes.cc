@@ -31,13 +31,15 @@ namespace conetact::contact
   {
     for (const pairing::ContactNode &node : nodes)
       {
-        // What slides, opens or is a mean leaves the node itself its freedom.
+        // A tie that slides, opens or is a mean leaves the node itself its
+        // freedom.
         if (!node.is_bound() || node.slides || node.opening ||
             !node.slaves.empty())
           continue;
         all[{node.body, node.node}].push_back(
           {opponent_of(node), directions_of(node)});
         for (const auto &[master, weight] : node.masters)
+          // A master that is the whole mean is bound as its slave is.
           if (std::abs(weight - 1) < 1e-9)
             all[{node.master, master}].push_back(
               {static_cast<int>(node.body), directions_of(node)});

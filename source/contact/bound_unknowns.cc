@@ -12,8 +12,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Over the largest flexibility, and of motions, which are about one: what
-     * is less is rounding. */
+    /** The rounding of flexibilities over the largest of them, and that of
+     * entries of motions, which are about one. */
     constexpr double least_flexibility = 1e-14, least_motion = 1e-10;
 
     /** BLAS does not take a matrix without rows, and says so. */
@@ -31,7 +31,9 @@ namespace conetact::contact
     }
   } // namespace
 
-  /* Scaled to a unit diagonal, soft and stiff bodies count alike. */
+  /* Factors D scale W_tt to a unit diagonal: soft and stiff bodies count alike
+     when pivots are chosen. Rows without flexibility have the size of their
+     motions. */
   Eigen::VectorXd
   BoundUnknowns::scales_of(const MatrixXd &W, const MatrixXd &G) const
   {
@@ -62,6 +64,11 @@ namespace conetact::contact
     , redundant(std::move(held_twice))
     , rows(redundant.independent)
   {
+    // With x = (r_c, a_f) that stay, y = (r_t, a_t) that go and the matrices A
+    // of x, E of y and B of x in the rows of y: y = -E^-1 (B x + load). Rows of
+    // motions have the other sign, A^T = S A S with S = diag(1, -1), so that
+    // the coupling of y in the rows of x is S B^T S, and A - S B^T S E^-1 B
+    // remains.
     const Index    k      = all.cols() - n_c - n_t;
     const MatrixXd G      = all.topRightCorner(n_c + n_t, k);
     const MatrixXd C      = all.bottomRightCorner(k, k);
@@ -81,7 +88,8 @@ namespace conetact::contact
     sign << VectorXd::Ones(n_c), -VectorXd::Ones(N.cols()),
       VectorXd::Ones(n_rows), -VectorXd::Ones(M.cols());
 
-    // Only what foundations resist strains a tie; the rest is rounding.
+    // G_t N = 0 and C N = 0 for motions that no foundation resists: what is
+    // there is rounding, and would strain ties.
     MatrixXd G_N = G * N, C_N = C * N;
     for (const Index j : loose)
       {
@@ -96,6 +104,7 @@ namespace conetact::contact
       M.transpose() * C * M;
     coupling << W_t.leftCols(n_c), G_N.bottomRows(n_t)(rows, Eigen::all),
       -(G.topRows(n_c) * M).transpose(), M.transpose() * C_N;
+    // E^-1 = D (D E D)^-1 D; E is not symmetric, and not definite.
     if (n_e > 0)
       factor.compute(scaling.asDiagonal() * bound * scaling.asDiagonal());
     answer = n_e > 0 ? MatrixXd(scaling.asDiagonal() *
@@ -108,7 +117,8 @@ namespace conetact::contact
     // The coupling the other way round is the same but for signs.
     kept -= sign.head(n_k).asDiagonal() * coupling.transpose() *
             sign.tail(n_e).asDiagonal() * answer;
-    // and both triangles are alike but for rounding and these signs
+    // Both triangles are alike but for these signs and for rounding, which is
+    // taken out.
     const MatrixXd other = sign.head(n_k).asDiagonal() * kept.transpose() *
                            sign.head(n_k).asDiagonal();
     kept = .5 * (kept + other);
@@ -142,6 +152,7 @@ namespace conetact::contact
     return result;
   }
 
+  /* -S B^T S E^-1 load, by E^-1 B, which is known: E^-T = S E^-1 S. */
   Eigen::VectorXd
   BoundUnknowns::effect(const VectorXd &bound_load) const
   {
@@ -152,6 +163,8 @@ namespace conetact::contact
                                 chosen_part(bound_load)));
   }
 
+  /* y = -E^-1 (B x + load). Rows that others imply have no reaction in y; of
+     all reactions that do the same the least are given in the end. */
   Eigen::VectorXd
   BoundUnknowns::bound_of(const VectorXd &unknowns,
                           const VectorXd &bound_load) const

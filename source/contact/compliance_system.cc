@@ -20,7 +20,7 @@ namespace conetact::contact
     using SparseMatrix = Eigen::SparseMatrix<double>;
     using Triplets     = std::vector<Eigen::Triplet<double>>;
 
-    /** factor * direction . u of a node, in own unknowns. */
+    /** Appends the entries of direction . u of a node in own unknowns. */
     void
     append(const BodyCoordinates &own,
            const Index            row,
@@ -37,6 +37,8 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* The rows of a point: the dual directions at all of its sides, in the frame
+     of each body. */
   void
   CondensedCompliance::write_row(const ContactPoint &point,
                                  Index              &row,
@@ -104,7 +106,8 @@ namespace conetact::contact
     return all;
   }
 
-  /* The rows of displacements of all dofs. */
+  /* H u from the definition, of displacements of all dofs: rigid bodies have no
+     own unknowns that H could be asked of. */
   Eigen::VectorXd
   CondensedCompliance::moved_rows(const VectorXd &u) const
   {
@@ -124,6 +127,8 @@ namespace conetact::contact
     return v;
   }
 
+  /* The relation that solvers see: (W G; -G^T C) of all, with what is bound
+     eliminated, and zeros where contacts see motions by rounding only. */
   void
   CondensedCompliance::assemble_system()
   {
@@ -149,7 +154,9 @@ namespace conetact::contact
           motions.loose(),
           find_redundant_rows(elastic.bodies, points, coordinates, motions));
         system->matrix = bound.matrix();
-        // where supports hold both sides nothing gives way: as elsewhere
+        // 1 / W_ii is the stiffness along a row. Where supports hold both sides
+        // nothing gives way, and 1e-14 of the mean is its rounding: the
+        // stiffness is that of the mean then.
         const double mean  = diagonal.mean();
         stiffness_of_bound = diagonal.tail(n_bound).unaryExpr(
           [mean](const double w) { return 1 / (w > 1e-14 * mean ? w : mean); });
@@ -158,13 +165,14 @@ namespace conetact::contact
     // The check of existence asks for motions that not even foundations resist.
     system->null_space = motions.null_space();
     contact_system     = system;
-    // loads and prescribed displacements are kept apart by their sizes only
+    // 1 / mean W_ii: prescribed displacements times this compare with forces.
     stiffness_scale = diagonal.sum() > 0 ?
                         static_cast<double>(diagonal.size()) / diagonal.sum() :
                         1.;
   }
 
-  /* Foundations make up for what contacts do not see. */
+  /* Only motions that no foundation resists can be unseen: the rows and columns
+     of these are written anew, without what is rounding. */
   void
   CondensedCompliance::forget_unseen_motions(solvers::ContactSystem &system)
   {

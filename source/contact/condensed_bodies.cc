@@ -24,6 +24,7 @@ namespace conetact::contact
     : elastic(e)
     , own(o)
   {
+    // Bodies at rest and rigid ones have no own unknowns, and no part.
     const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
     std::vector<bool> placed(n, false);
     for (const auto &group : groups)
@@ -37,6 +38,8 @@ namespace conetact::contact
         all_parts.push_back({{body}, {}, nullptr});
     for (Part &part : all_parts)
       {
+        // Equal bodies meet others at different nodes: they keep the unknowns
+        // that any of them needs.
         std::vector<bool> kept(at(n_own(part.bodies[0])), false);
         for (const unsigned int body : part.bodies)
           {
@@ -49,7 +52,9 @@ namespace conetact::contact
       }
   }
 
-  /* All bodies of a part have the matrix of the first. */
+  /* All bodies of a part have the matrix of the first. No element joins two
+     bodies, so that the matrix of a body is a block on the diagonal of that of
+     all. */
   void
   CondensedBodies::for_each_matrix(
     const std::function<void(std::size_t part, const Uncondensed &)> &act) const
@@ -113,6 +118,8 @@ namespace conetact::contact
     return sum;
   }
 
+  /* Equal bodies share an element, not their columns: it is asked once for each
+     body. */
   MatrixXd
   CondensedBodies::map(const MatrixXd &columns, const Answer &answer) const
   {

@@ -58,10 +58,9 @@ namespace conetact::contact
     assemble_system();
   }
 
-  /* v = (u of the node) - (u of the obstacle) or - sum of weight (u of a
-     master), in components along the dual directions: the matrix H of rows over
-     the own unknowns of all bodies. Motions of obstacles and supports are part
-     of q. */
+  /* The rows H over the own unknowns of all bodies: v = (u of the node) - (u of
+     the obstacle) or - sum of weight (u of a master), in components along the
+     dual directions. Motions of obstacles and supports are part of q. */
   Eigen::SparseMatrix<double>
   CondensedCompliance::rows() const
   {
@@ -75,6 +74,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* Other rows over the same bodies: K_b and P_b stay, W = H P H^T costs
+     products, and nothing is factorised. */
   bool
   CondensedCompliance::relink()
   {
@@ -126,6 +127,8 @@ namespace conetact::contact
            free.resistance(primal.tail(primal.size() - H.rows()));
   }
 
+  /* The load b = B^T (f - K d), in which prescribed displacements d act as
+     forces, and of it q = H w and the balance of motions. */
   void
   CondensedCompliance::reduce_one(const VectorXd &forces,
                                   const VectorXd &prescribed,
@@ -133,10 +136,10 @@ namespace conetact::contact
   {
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
-    // What is prescribed acts as a load.
     load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
     VectorXd all = reduce_all(load.b, forces);
-    // R^T K = 0 but for rounding, which must not carry anything
+    // R^T K = 0 for structures but for rounding, which must not carry anything:
+    // R^T K d, which the balance has by -R^T b, is taken out again.
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
     all.tail(motions.own().cols()) -= free.resultants(rounding);
@@ -164,6 +167,8 @@ namespace conetact::contact
     return load;
   }
 
+  /* The load (q, -R^T b) of the relation: q = H P b and -(R + Y)^T b, less what
+     drives motions that nothing resists. */
   Eigen::VectorXd
   CondensedCompliance::reduce_all(const VectorXd &b,
                                   const VectorXd &forces) const
@@ -187,10 +192,12 @@ namespace conetact::contact
     return f;
   }
 
+  /* The balance of a free motion is a sum over all nodes. Parts of a load that
+     cancel leave up to 1e-13 of the sum of their magnitudes there. */
   void
   CondensedCompliance::forget_rounding(LoadCase &load) const
   {
-    constexpr double rounding = 1e-13; // of a sum
+    constexpr double rounding = 1e-13; // over the magnitudes
     const VectorXd   zero =
       rounding * (motions.free_of_own().cwiseAbs().transpose() *
                   free.size_of_terms(load.b));
@@ -199,6 +206,8 @@ namespace conetact::contact
         sum = 0;
   }
 
+  /* An offset of the rows of what is bound is a load like q_t: v_t = 0 holds
+     with it. */
   void
   CondensedCompliance::move_bound(const VectorXd &offset, LoadCase &load) const
   {
@@ -222,7 +231,7 @@ namespace conetact::contact
     return {x.head(n), motions.own() * x.tail(x.size() - n)};
   }
 
-  /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
+  /* Each body has w = P (b + H^T r - K_s R a), and what is prescribed. */
   Eigen::MatrixXd
   CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
                               const std::vector<Eigen::VectorXd>  &primal) const
@@ -303,7 +312,8 @@ namespace conetact::contact
     return load;
   }
 
-  /* What is unknown is what motions change from their base on. */
+  /* Problems are written about the motions a_0 of `base`: unknowns are (r, a -
+     a_0), and (G a_0, C a_0) is part of the load. */
   void
   CondensedCompliance::write(const LoadCase          &load,
                              const VectorXd          &offset,
@@ -336,6 +346,8 @@ namespace conetact::contact
     return points.n_bound() == 0 ? 0. : rounding_of_past * largest_force(load);
   }
 
+  /* The shortest reactions that drive the motions as the load does, G^T r = R^T
+     f: balance rows have -R^T f. */
   Eigen::VectorXd
   CondensedCompliance::contact_load(
     const solvers::ContactProblem &problem) const
@@ -352,7 +364,7 @@ namespace conetact::contact
     const Index n = n_contact(), k = state.motions.size();
     start.v.conservativeResizeLike(VectorXd::Zero(n + k));
     start.r.conservativeResizeLike(VectorXd::Zero(n + k));
-    // motions count from where the problem is written about
+    // Motions count from those that the problem is written about.
     start.r.tail(k) = state.motions - state.base;
   }
 
@@ -394,6 +406,8 @@ namespace conetact::contact
     state.start.reset(); // reactions and motions are all there is
   }
 
+  /* The load q takes up by how much recovered displacements miss W r + G a +
+     q. */
   void
   CondensedCompliance::add_missed(const VectorXd &by_contacts,
                                   const VectorXd &by_bound,
@@ -403,7 +417,8 @@ namespace conetact::contact
     move_bound(by_bound, change);
   }
 
-  /* The relation holds for rounded matrices: the end is nearly right. */
+  /* A correction starts from the end of the try before, which is nearly right:
+     the relation holds for rounded matrices. Motions count from there. */
   solvers::ContactState
   CondensedCompliance::restart(const solvers::ContactState &,
                                const solvers::ContactState &end) const

@@ -51,7 +51,7 @@ namespace conetact::contact
               }};
     }
 
-    /** Rows of x of all own unknowns that a part has retained. */
+    /** The numbers among all own unknowns of those that a part has retained. */
     std::vector<Index>
     retained_rows(const CondensedBodies::Part &part,
                   const unsigned int           body,
@@ -82,13 +82,15 @@ namespace conetact::contact
     system->matrix = take_stiffness();
     const Index n  = system->matrix.cols();
     AssertDimension(n, points.n_unknowns());
-    // Frames may have motions that nobody has named; those of other bodies
-    // are rigid, and known to the last digit.
+    // Frames may have motions that nobody has named: the null space of K tells
+    // them, for n^3/3 operations. Those of other bodies are rigid, and known to
+    // the last digit.
     system->null_space =
       find_mechanisms && n > 0 && n <= largest_rank_search ?
         solvers::null_space_basis(system->matrix, motions.null_space()) :
         motions.null_space();
     contact_system = system;
+    // A power of two rounds nothing.
     if (const double mean = diagonal_of(elastic, coordinates.n_dofs()).mean();
         mean > 0)
       stiffness_scale = std::exp2(std::round(std::log2(mean)));
@@ -125,6 +127,8 @@ namespace conetact::contact
           return S; // the usual case, and a large matrix
         if (K.size() == 0)
           K.setZero(n, n);
+        // Retained unknowns ascend in a body, contact unknowns go contact by
+        // contact: rows and columns are permuted.
         K(rows, rows) = S;
       }
     return K.size() > 0 ? K : MatrixXd::Zero(n, n);
@@ -136,7 +140,8 @@ namespace conetact::contact
                                  LoadCase       &load)
   {
     AssertDimension(forces.size(), prescribed.size());
-    // B^T (f - K d): what is prescribed acts as a load on the rest.
+    // b = B^T (f - K d): what is prescribed acts as a load on the rest.
+    // Contacts see f = b_C - K_CF K_FF^-1 b_F.
     load.b = own.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
     if (is_linear())
@@ -155,6 +160,8 @@ namespace conetact::contact
     return load;
   }
 
+  /* b_C - K_CF K_FF^-1 b_F of each body, in the order of the contact
+     unknowns. */
   VectorXd
   CondensedStiffness::reduce_forces(const VectorXd &b) const
   {
@@ -168,6 +175,7 @@ namespace conetact::contact
     return reduced(own_unknown);
   }
 
+  /* K_FF u_F = b_F - K_FC u_C of each body, with the contact unknowns u_C. */
   MatrixXd
   CondensedStiffness::carry(const MatrixXd &b, const MatrixXd &contact) const
   {
@@ -190,7 +198,7 @@ namespace conetact::contact
                              const std::vector<VectorXd>         &primal) const
   {
     AssertDimension(loads.size(), primal.size());
-    // Where nothing has changed the displacements are those before.
+    // Displacements are those before where nothing has changed.
     std::vector<std::size_t> different;
     std::vector<Index>       column;
     for (std::size_t k = 0; k < loads.size(); ++k)
@@ -293,8 +301,10 @@ namespace conetact::contact
     end.u += seen;
   }
 
-  /* The iterative Elasticity has contact unknowns behind all others. One
-     stiffness of all knows no motions apart from displacements. */
+  /* The iterative Elasticity, which a checkpoint may come from, has contact
+     unknowns behind all others; without them displacements q tell. One
+     stiffness of all knows no motions apart from displacements: G a is
+     added. */
   void
   CondensedStiffness::restore(const std::vector<double> &start,
                               const VectorXd            &q,

@@ -19,10 +19,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /**
-     * Of the motion that supports give a body as a whole: a deformation below
-     * is the rounding of what they prescribe.
-     */
+    /** A prescribed deformation below this part of the longest way of a body is
+     * the rounding of ways: 64 eps, as it is the difference of two sums. */
     constexpr double deformation_rounding = 64 * 2.2e-16;
 
     /** Directions of ties turn with their bodies. */
@@ -64,6 +62,8 @@ namespace conetact::contact
                                 solvers::Form::stiffness)
   {}
 
+  /* A column of `open` is a set of reactions that bound nodes and supports can
+     exchange. Entries of orthonormal columns below 1e-9 are rounding. */
   const pairing::ContactNode *
   ContactModel::held_twice() const
   {
@@ -85,8 +85,8 @@ namespace conetact::contact
         for (Eigen::SparseMatrix<double>::InnerIterator it(open, j); it; ++it)
           if (std::abs(it.value()) > 1e-9)
             nodes.insert(node_of[static_cast<std::size_t>(it.row())]);
-        // Where supports hold both sides, as in a plane of symmetry, nothing is
-        // to share, nor is it on an axis.
+        // Where supports hold both sides of one node, as in a plane of
+        // symmetry, nothing is to share, nor is it on an axis.
         const pairing::ContactNode &node = **nodes.begin();
         if (nodes.size() > 1 ||
             (node.masters.empty() &&
@@ -97,6 +97,8 @@ namespace conetact::contact
     return nullptr;
   }
 
+  /* Stiffness is the faster form, a matrix without an inverse. Compliance, v =
+     W r + G a + q, takes anything. */
   bool
   ContactModel::needs_compliance() const
   {
@@ -107,8 +109,8 @@ namespace conetact::contact
     // One stiffness K with a frame at each node serves only where each node is
     // in one contact, with an obstacle, and all of its slip is elastic. Bodies
     // that float lose digits in it, equal bodies would be condensed several
-    // times.
-    // A layer that is much softer than the body is added to W without loss.
+    // times. A layer that is much softer than the body is added to W without
+    // loss.
     const bool pairs =
       std::any_of(bodies.contact_nodes.begin(),
                   bodies.contact_nodes.end(),
@@ -116,9 +118,9 @@ namespace conetact::contact
                     return !node.masters.empty() || !node.slaves.empty() ||
                            (node.layer && node.layer->is_soft() && !node.bond);
                   });
-    // What slides far has other rows over the same bodies in each increment.
-    // Mechanisms are found in a stiffness only, which there is where contacts
-    // see all motions; it serves those that are some.
+    // Contacts that slide far have other rows over the same bodies in each
+    // increment. Mechanisms are found in a stiffness only, which there is where
+    // contacts see all motions; it serves those that are some.
     return pairs || points.slide() || points.traits().has_prescribed_slip ||
            points.traits().shares_nodes ||
            (may_be_mechanism() ?
@@ -127,6 +129,8 @@ namespace conetact::contact
               motions.n_free() > 0 || has_equal_bodies());
   }
 
+  /* The whole stiffness is factorised densely, n^3/3 operations: small frames
+     alone are asked, others may be mechanisms. */
   bool
   ContactModel::moves_as_rigid_only() const
   {
@@ -159,8 +163,9 @@ namespace conetact::contact
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     AssertDimension(mechanical.size(), coordinates.n_dofs());
-    // Supports that move as one carry their body along: that is the placement,
-    // and no force belongs to it. Only the rest of what they prescribe deforms.
+    // Supports that move as one carry their body along: that is the placement
+    // a_p, and no force belongs to it. Only the rest of what they prescribe
+    // deforms: d - (R a_p)_h, along what they hold.
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
@@ -170,7 +175,7 @@ namespace conetact::contact
         const Eigen::VectorXd rigid = motions.field(placement);
         far                         = std::max(far, solvers::largest(rigid));
         prescribed -= coordinates.held_part(rigid);
-        // Foundations do feel the placement.
+        // Foundations do feel the placement: K_s R a_p.
         all -= elastic.spring_forces(rigid);
       }
     if (const double zero = deformation_rounding * far; zero > 0)
@@ -186,8 +191,8 @@ namespace conetact::contact
     return load;
   }
 
-  /* What contacts see of placements and prescribed deformations, less the
-     motion of obstacles: displacements that are no unknowns. */
+  /* Displacements of contacts that are no unknowns: placements and prescribed
+     deformations, less the motion of obstacles. */
   Eigen::VectorXd
   ContactModel::all_offsets(const LoadCase &load, const double t) const
   {
@@ -328,6 +333,8 @@ namespace conetact::contact
     if (std::string why = points.relink(std::move(nodes), times); !why.empty())
       return why;
     motions.see_contacts(points);
+    // The iterative Elasticity has the axes of contacts in its unknowns: where
+    // these turn its start is taken over as a deformation.
     if (!made || made->relink())
       return {};
     Eigen::VectorXd w;
@@ -339,6 +346,9 @@ namespace conetact::contact
     return {};
   }
 
+  /* A cut stays as open as it is: that is a placement of its rigid body from
+     now on, and one free motion less. An Elasticity that is made anew has other
+     unknowns, and starts from the same deformation in these. */
   bool
   ContactModel::lock_cuts(const double           t,
                           const Eigen::VectorXd &u,
@@ -367,7 +377,9 @@ namespace conetact::contact
     return true;
   }
 
-  /* What of displacements is neither placement nor prescribed. */
+  /* w = u - R a_p - (d - (R a_p)_h): displacements less the placement a_p and
+     less what supports prescribe beyond it, where ( )_h is the part along what
+     they hold. */
   Eigen::VectorXd
   ContactModel::deformation(const Eigen::VectorXd &u, const double t) const
   {
@@ -383,6 +395,9 @@ namespace conetact::contact
     return displacement(u, cut.body, 0) * cut.axis;
   }
 
+  /* The rigid body of a cut has no equation once it is locked: the lock holds
+     its reactions along the axis, sum_i r_i . e, as the force of a support
+     does. */
   Eigen::VectorXd
   ContactModel::lock_forces(const Eigen::VectorXd &all_reactions) const
   {

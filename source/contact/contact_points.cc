@@ -18,7 +18,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Over the spacing of nodes: what slides less than that does not. */
+    /** A slip along a support that is less than this part of the spacing of
+     * nodes is the rounding of expressions, and none. */
     constexpr double least_slide = 1e-12;
 
     void
@@ -31,9 +32,10 @@ namespace conetact::contact
     }
 
     /**
-     * The elliptic cone becomes a circular one of coefficient mu =
-     * sqrt(mu_1 mu_2) in the coordinates u_k mu_k/mu, the forces r_k mu/mu_k:
-     * same work, [K] remark 3.3.
+     * The elliptic cone becomes a circular one of coefficient mu = sqrt(mu_1
+     * mu_2) in the coordinates u_k mu_k/mu, the forces r_k mu/mu_k: same work,
+     * [K] remark 3.3. An axis without friction has no unknown, and no part in
+     * the cone.
      */
     void
     add_both_tangents(ContactPoint &point)
@@ -157,6 +159,9 @@ namespace conetact::contact
 
 
 
+  /* Solvers, states and histories count unknowns by the layout: points may turn
+     and meet other nodes, but each keeps its number of unknowns. Coefficients
+     that laws vary (set_friction) are those that were set last. */
   std::string
   ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
                         const std::vector<double>        &times)
@@ -321,6 +326,8 @@ namespace conetact::contact
             return true;
         for (const double t : times)
           {
+            // Supports prescribe this slip along e, of the node less that of
+            // what it meets: e . (d - d_obstacle - sum w_k d_k).
             double slip = supports.displacement(own, node.position, t);
             slip -= pairing::obstacle_displacement(node, t) * own.direction;
             for (const auto &[master, weight] : masters)
@@ -370,13 +377,15 @@ namespace conetact::contact
     found_traits.has_prescribed_slip =
       found_traits.has_prescribed_slip || slides;
     const std::size_t n_left = bodies.dim - 1 - (slides ? 0 : held.size());
+    // Tangents that supports hold have no unknowns, unless the slip along them
+    // is prescribed: its friction is one.
     if (n_left == 2)
       add_both_tangents(point);
     else if (n_left == 1)
       add_one_tangent(point,
                       bodies.dim == 2 ? node.t1 :
                                         cross_product_3d(node.n, held[0]));
-    // the normal comes last, as solvers want it
+    // The normal comes last, as solvers want it.
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
     return {};
@@ -433,6 +442,8 @@ namespace conetact::contact
 
 
 
+  /* Candidates come first, so that their unknowns are the first ones and those
+     of what is bound stand behind. */
   void
   ContactPoints::number()
   {

@@ -20,7 +20,8 @@ namespace conetact::contact
       return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
     }
 
-    /** The tangential displacement spanned by the contact unknowns. */
+    /** The tangential displacement that contact unknowns span, sum_k v_k d_k
+     * over the tangents. */
     Tensor<1, 3>
     tangential(const ContactPoint &point, const Eigen::VectorXd &v)
     {
@@ -31,7 +32,8 @@ namespace conetact::contact
       return sum;
     }
 
-    /** The rest of it: frictionless directions, and held ones without slip. */
+    /** The rest of a relative displacement, which solvers do not see: along
+     * frictionless directions, and held ones without slip. */
     Tensor<1, 3>
     other_tangential(const ContactPoint &point, const Tensor<1, 3> &relative)
     {
@@ -41,7 +43,11 @@ namespace conetact::contact
       return rest;
     }
 
-    /** Where the reaction acts on the other side, undeformed and not moved. */
+    /**
+     * The point where the reaction acts on the other side, undeformed and not
+     * moved. A node that was found again at `moved` meets an obstacle at node +
+     * moved - (gap + n.moved) n.
+     */
     Point<3>
     foot_of(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
@@ -55,7 +61,7 @@ namespace conetact::contact
       return p;
     }
 
-    /** And on its own side. */
+    /** The point where it acts on its own side, a mean over slaves. */
     Point<3>
     acting_at(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
@@ -95,10 +101,12 @@ namespace conetact::contact
     row.area     = node.covered_area();
     row.foot     = foot_of(model.bodies, node);
     row.acts     = acting_at(model.bodies, node);
-    // tables name the normal only: whoever reads them knows its tangents
+    // Tables name the normal only: whoever reads them knows its tangents.
     std::tie(row.t1, row.t2) = pairing::tangents(node.n, model.bodies.dim);
   }
 
+  /* Tables have changes in frames of contacts: what was moved so far is told in
+     those of the nodes that were found again. */
   void
   ContactRows::relink()
   {
@@ -163,7 +171,8 @@ namespace conetact::contact
         row.reaction    = in_frame(row, force_of(point, r));
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
-        // the last.
+        // the last: the sum of all parts tells, as far as it is no rounding of
+        // positions.
         if ((point.dual.size() == 1 || (!whole && i < points.size())) &&
             row.state != solvers::NodeState::open)
           row.state = std::hypot(row.du[1], row.du[2]) >
@@ -253,8 +262,8 @@ namespace conetact::contact
     const ContactPoint &point = model.points[i];
     row.gap                   = state.v[point.normal()];
     row.u                     = in_frame(row, tangential(point, q)) + other;
-    // The normal part is the solver's own: where the gap is closed, u_n
-    // is -g0 to the last digit.
+    // The normal part is the solver's own: where the gap is closed, u_n is -g0
+    // to the last digit.
     row.u[0] = q[point.normal()];
     row.du =
       in_frame(row, tangential(point, state.v)) + (other - other_before[i]);
@@ -276,7 +285,8 @@ namespace conetact::contact
     row.fracture       = kept.fracture[k];
   }
 
-  /* What equations bind has moved by zero, to the last digit. */
+  /* A closed gap and its displacement are exact, to the last digit, where
+     equations bind: differences of displacements of bodies would not be. */
   void
   ContactRows::set_bound(const ContactPoint &point,
                          const Tensor<1, 3> &other,
@@ -291,6 +301,9 @@ namespace conetact::contact
     row.state                          = solvers::NodeState::stick;
   }
 
+  /* A row for each master node: its reaction and area are the sums of what its
+     slaves hand on, by the weights w of their rows; its gap and displacements
+     are means over |w|. */
   void
   ContactRows::append_masters(std::vector<model::ContactRow> &rows) const
   {
@@ -301,6 +314,7 @@ namespace conetact::contact
       Tensor<1, 3>      normal, reaction, pressing, u, du; // in space
       double            weight = 0, largest = 0;
     };
+    // Keys are contact and node: a master of two contacts has a row in each.
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
@@ -324,10 +338,12 @@ namespace conetact::contact
             sum.row.foot = sum.row.position;
             sum.row.acts = sum.row.position;
             sum.row.area += weight * row.area;
-            // beside a face that is overhung weights are a little below zero
+            // Weights are a little below zero beside a face that is overhung.
             const double share = std::abs(weight);
             sum.row.gap += share * row.gap;
             sum.weight += share;
+            // The normal of the master points to the slave, the other way, and
+            // so do displacements: those of the master relative to the slave.
             sum.normal -= share * row.normal;
             // Forces add up with their sign, or the body would not balance;
             // means need weights above zero.

@@ -32,8 +32,9 @@ namespace conetact::contact
     }
 
     /**
-     * Where the far ends of springs along any directions e have moved by d_e:
-     * the u without part across all of them with sum (u.e) e = sum d_e e.
+     * The displacement u of the far ends of springs along any directions e that
+     * have moved by d_e: sum (u.e) e = sum d_e e, and u has no part across all
+     * of them.
      */
     Tensor<1, 3>
     far_end(const bodies::Support     &support,
@@ -81,7 +82,7 @@ namespace conetact::contact
                           {matrix, matrix + dofs.size() * dofs.size()},
                           s,
                           place};
-            // from the numbers of the body to those of the scene
+            // Numbers are those of the scene, not of the body.
             for (unsigned int &dof : spring.dofs)
               dof += offset;
             springs.push_back(std::move(spring));
@@ -187,7 +188,7 @@ namespace conetact::contact
           continue;
         const bodies::Structure &structure = *bodies.structures[body];
         part.setZero(structure.n_dofs());
-        // Bodies multiply by themselves: a continuum takes out what a cell
+        // Each body multiplies by itself: a continuum takes out what a cell
         // moves as a whole, which an assembled K u would round.
         visited += structure.add_internal_forces_at(
           nodes[body], u.segment(dof_offset[body], part.size()), part);
@@ -196,6 +197,8 @@ namespace conetact::contact
     return f;
   }
 
+  /* The rounding of a sum is measured by its terms: by eps sum_j |K_ij|
+     |u_j|. */
   Eigen::VectorXd
   ElasticSystem::terms(const Eigen::VectorXd   &u,
                        const SomeNodesOfBodies *nodes) const
@@ -206,7 +209,8 @@ namespace conetact::contact
     std::vector<double>   magnitude;
     for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // |K| |u|, element by element: terms of the sums that make K u.
+        // sum_e |K_e| |u| over elements e, which is no less than |K| |u|:
+        // entries of elements that cancel in K round all the same.
         magnitude.assign(matrix, matrix + dofs.size() * dofs.size());
         for (double &entry : magnitude)
           entry = std::abs(entry);
@@ -226,6 +230,8 @@ namespace conetact::contact
     return f;
   }
 
+  /* Foundations of one body may overlap: the k-th of each body is in the k-th
+     vector, apart from its others. */
   std::vector<Eigen::VectorXd>
   ElasticSystem::forces_by_foundation(const Eigen::VectorXd &u) const
   {
@@ -254,7 +260,7 @@ namespace conetact::contact
       return dof_offset[support.body] +
              node * static_cast<Eigen::Index>(structure.n_components()) + c;
     };
-    // most foundations stand still
+    // Most foundations stand still.
     if (support.is_still())
       return moved;
     for (const bodies::SurfaceNode &node : support.surface.nodes)
@@ -263,7 +269,8 @@ namespace conetact::contact
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }
-    // The springs stand in all dofs, those of hanging nodes, too.
+    // Surfaces list no hanging nodes, but the springs stand in their dofs as
+    // well: the ground moves there as its masters do.
     for (const bodies::HangingNode &hanging : structure.hanging_nodes())
       for (unsigned int c = 0; c < bodies.dim; ++c)
         for (const auto &[master, weight] : hanging.masters)
@@ -290,6 +297,7 @@ namespace conetact::contact
     return f;
   }
 
+  /* f = K_s (g - u), with the displacement g of the ground. */
   std::vector<Foundation>
   ElasticSystem::foundations(const Eigen::VectorXd &u, const double t) const
   {

@@ -9,10 +9,12 @@ namespace conetact::contact
 {
   namespace
   {
-    /** More different loads than this are forgotten and begun anew. */
+    /** More different loads than this are forgotten and begun anew: each keeps
+     * several vectors of all dofs. */
     constexpr std::size_t largest_basis = 8;
 
-    /** A load case that differs by less is a combination of others. */
+    /** A load case of which less than this part is left, some units of
+     * rounding, is a combination of others. */
     constexpr double same_load = 4e-15;
 
     void
@@ -45,7 +47,8 @@ namespace conetact::contact
     load.prescribed = prescribed;
     Eigen::VectorXd rest(2 * n);
     // Reduction is linear in forces and prescribed displacements: both as one
-    // vector, made of like size.
+    // vector, made of like size, are written as a combination of earlier ones
+    // by Gram and Schmidt, and only the rest is reduced.
     rest << forces, stiffness_scale * prescribed;
 
     const double size = rest.norm();
@@ -91,6 +94,7 @@ namespace conetact::contact
                               reduce(forces + heat, prescribed);
   }
 
+  /* The least |x| with N^T x = resultants. */
   Eigen::VectorXd
   shortest_load(const Eigen::MatrixXd &null_space,
                 const Eigen::VectorXd &resultants)

@@ -19,7 +19,7 @@ namespace conetact::contact
     // coordinates of its nodes, over the size of its cells.
     constexpr double round_off = 1e-12;
 
-    // The same numbers for each body.
+    // Bodies get the same numbers each, by which their forces compare.
     VectorXd
     displacement_without_order(const BodyCoordinates &own,
                                const std::size_t      n_bodies)
@@ -65,7 +65,8 @@ namespace conetact::contact
     // A displacement without any symmetry: different matrices answer it by
     // different forces.
     const VectorXd u = own.expand(displacement_without_order(own, n));
-    // each by itself: a stiff one would hide a soft one
+    // Structure and foundations are compared each by itself: a stiff one would
+    // hide a soft one.
     std::vector<VectorXd> forces = {own.restrict(elastic.structure_forces(u))};
     for (const VectorXd &f : elastic.forces_by_foundation(u))
       forces.push_back(own.restrict(f));
@@ -92,7 +93,7 @@ namespace conetact::contact
         else
           group->push_back(body);
       }
-    // Who equals nobody is no group.
+    // A body that equals no other is no group.
     groups.erase(std::remove_if(groups.begin(),
                                 groups.end(),
                                 [](const auto &group) {

@@ -39,6 +39,8 @@ namespace conetact::contact
       return found;
     }
 
+    /** Candidates on the boundary that the fluid comes from, and the one
+     * nearest to a point of its source. */
     std::set<std::size_t>
     sources_of(const pairing::FluidLaw &fluid,
                const bodies::Structure &structure,
@@ -87,6 +89,8 @@ namespace conetact::contact
           *points[candidates.begin()->second].node;
         const bodies::Structure &structure = *bodies.structures[node.body];
         const pairing::FluidLaw &fluid     = *node.fluid;
+        // Candidates of one face are next to each other; repetitions do no
+        // harm.
         for (const auto &face : structure.surface(fluid.surface()).faces)
           for (const unsigned int a : face.nodes)
             for (const unsigned int b : face.nodes)
@@ -94,6 +98,9 @@ namespace conetact::contact
                 neighbours[candidates.at(a)].push_back(candidates.at(b));
         const auto starts = sources_of(fluid, structure, candidates, points);
         sources.insert(sources.end(), starts.begin(), starts.end());
+        // An edge of the contact belongs to other boundaries as well. One that
+        // a source wets or a support holds, such as a plane of symmetry, is
+        // closed to the fluid; over any other one it leaves.
         for (const unsigned int id : structure.boundary_ids())
           {
             const auto edge = on(structure, {id}, candidates);
@@ -109,6 +116,9 @@ namespace conetact::contact
       }
   }
 
+  /* Spreads from the sources over neighbours that are wet already, or that
+     press by less than the fluid does. An area without a way from a source
+     stays dry, even if it is open. */
   std::vector<bool>
   Fluid::wet(const std::vector<bool> &before,
              const Eigen::VectorXd   &r,

@@ -47,13 +47,15 @@ namespace conetact::contact
         return closed;
       const Tensor<1, 3> force = force_of(point, r);
       closed.force             = force.norm();
+      // A slipping contact keeps the direction of its force.
       if (closed.forces.empty()) // what only touches may press
         closed.forces.push_back(closed.force > 0 ? force / closed.force :
                                                    point.dual.back());
       return closed;
     }
 
-    /** Its force follows from where its sides are. */
+    /** A spring or a soft layer has a force that follows from where its sides
+     * are: it can exchange none. */
     bool
     gives_way(const pairing::ContactNode &node)
     {
@@ -124,11 +126,17 @@ namespace conetact::contact
       return groups;
     }
 
-    /** Whether different forces of a group are the same forces on all nodes. */
+    /**
+     * Whether different forces of a group are the same forces on all nodes:
+     * columns of H^T, three rows a node, that depend on each other. More
+     * columns than rows always do; pivots below 1e-9 of the largest are
+     * rounding.
+     */
     bool
     exchange_forces(const std::vector<const Closed *> &group)
     {
-      // what is larger is no corner; its rank would take longer than it solves
+      // A larger group is no corner, and its rank would take longer than
+      // solving.
       constexpr Index       largest = 600;
       std::map<Node, Index> row_of;
       Index                 n_columns = 0;
@@ -186,8 +194,8 @@ namespace conetact::contact
         make_closed(points.all()[i], solvers::NodeState::stick, r));
     closed = joined(std::move(closed));
     for (const auto &group : groups_of(closed))
-      // what is bound by itself has its share as it is told, and cones in which
-      // nothing is carried cannot give
+      // Bound contacts by themselves have the shares of RedundantRows, and
+      // contacts that carry nothing cannot give.
       if (std::any_of(group.begin(),
                       group.end(),
                       [](const Closed *one) {

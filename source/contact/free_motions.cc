@@ -67,6 +67,9 @@ namespace conetact::contact
         }
   }
 
+  /* G = H (R + Y) and C = R^T K_s (R + Y): a motion of amount a moves contacts
+     by R a, and by Y a, what foundations K_s deform the body by as they
+     resist. */
   void
   FreeMotions::add_to(const Eigen::SparseMatrix<double> &H,
                       MatrixXd                          &relation) const
@@ -83,7 +86,7 @@ namespace conetact::contact
           H.middleCols(own.begin(body), m.R.rows()) * (m.R + m.Y);
         relation.block(0, first, n, size) = G;
         relation.block(first, 0, size, n) = -G.transpose();
-        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
+        // R^T K_s R + R^T K_s Y, as Y^T K_s R = -R^T K_s P K_s R is symmetric.
         const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
         // Foundations hold each body by itself: C has a block for each.
         relation.block(first, first, size, size) = .5 * (C + C.transpose());
@@ -103,6 +106,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* -(R + Y)^T f: forces f drive motions, and by Y^T f = -R^T K_s P f by what
+     they press into the foundations. */
   Eigen::VectorXd
   FreeMotions::imbalance(const VectorXd &forces) const
   {
@@ -127,6 +132,7 @@ namespace conetact::contact
     });
   }
 
+  /* Rigid bodies have no own unknowns: forces on all dofs are asked. */
   Eigen::VectorXd
   FreeMotions::rigid_imbalance(const VectorXd &forces) const
   {

@@ -13,7 +13,11 @@ namespace conetact::contact
 {
   namespace
   {
-    /** The feet of all nodes that meet the obstacle become its nodes. */
+    /**
+     * The feet of all nodes that meet the obstacle become its nodes, behind
+     * node 0, its reference point. Feet of nodes that slide are means over
+     * nodes that span its axes: they go wherever the obstacle may be met later.
+     */
     std::unique_ptr<bodies::Structure>
     make_body(const pairing::Obstacle &obstacle, model::Bodies &bodies)
     {
@@ -37,7 +41,8 @@ namespace conetact::contact
       return body;
     }
 
-    /** What is not free follows what is prescribed. */
+    /** A support prescribes the components that are not free: it takes over the
+     * displacement of the obstacle, and holds rotations. */
     bodies::Support
     make_support(pairing::Obstacle &obstacle, const model::Bodies &bodies)
     {
@@ -109,7 +114,7 @@ namespace conetact::contact
     for (const pairing::Obstacle &obstacle : obstacles)
       if (obstacle.free.any())
         {
-          // translations first, then rotations, as dofs of the first node are
+          // The dofs of the first node are translations first, then rotations.
           Eigen::Index dof = first[body++];
           for (const auto *values :
                {&obstacle.free.force, &obstacle.free.moment})

@@ -14,7 +14,8 @@ namespace conetact::contact
   {
     using solvers::FrictionLimit;
 
-    /** Of one semi-axis over the other, at least: far below any tolerance. */
+    /** One semi-axis has at least this part of the other one: formulas that
+     * divide by it stay finite, and it is far below any tolerance. */
     constexpr double least_ratio = 1e-12;
 
     bool
@@ -32,7 +33,9 @@ namespace conetact::contact
               factor * f.by_gap};
     }
 
-    /** The shorter one becomes as long as it has to be. */
+    /**
+     * Lengthens the shorter axis to that, with the slopes of the longer one.
+     */
     void
     lengthen(FrictionLimit &one, FrictionLimit &two)
     {
@@ -42,7 +45,7 @@ namespace conetact::contact
         two = times(least_ratio, one);
     }
 
-    /** a one + b two */
+    /** Adds a one + b two, with all slopes. */
     FrictionLimit
     sum(const double         a,
         const FrictionLimit &one,
@@ -55,7 +58,8 @@ namespace conetact::contact
               a * one.by_gap + b * two.by_gap};
     }
 
-    /** What hardly presses has its slopes for limits. */
+    /** The shape of an ellipse that shrinks to a point is that of its slopes by
+     * r_n, which take the place of the limits. */
     FrictionLimit
     without_pressure(const FrictionLimit &f)
     {
@@ -63,6 +67,7 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* f = sqrt(f_1 f_2), and by any variable f' = f/2 (f_1'/f_1 + f_2'/f_2). */
   FrictionLimit
   mean(const FrictionLimit &first, const FrictionLimit &second)
   {
@@ -73,7 +78,7 @@ namespace conetact::contact
         two = without_pressure(two);
         lengthen(one, two);
         const double slope = std::sqrt(one.value * two.value);
-        // as a cone goes on below its vertex
+        // The limit of a pull is negative, as a cone goes on below its vertex.
         const double force =
           std::sqrt(std::abs(first.value) * std::abs(second.value));
         return {-force, slope, 0, 0};
@@ -86,6 +91,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* f = 1 / |(c_1 / f_1, c_2 / f_2)|, and by any variable f' = sum_k c_k^2 (f /
+     f_k)^3 f_k'. A cosine of 0 must not be divided by a limit of 0. */
   FrictionLimit
   cut(const FrictionLimit &first,
       const FrictionLimit &second,
@@ -119,6 +126,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* a = f_1 / sqrt(f_1 f_2) = sqrt(f_1 / f_2), a' = a/2 (f_1'/f_1 -
+     f_2'/f_2). */
   solvers::Aspect
   aspect_of(FrictionLimit one, FrictionLimit two)
   {

@@ -15,7 +15,8 @@ namespace conetact::contact
   {
     using Weights = std::vector<std::pair<unsigned int, double>>;
 
-    /** Normals that differ by more belong to other sides of an edge. */
+    /** Normals that differ by more than 45 degrees belong to other sides of an
+     * edge. */
     constexpr double cosine_of_side = .7;
 
     std::vector<bool>
@@ -58,10 +59,13 @@ namespace conetact::contact
       return slaves;
     }
 
+    /** Joins the row of `giver` to that of `taker`: slaves, masters and gap
+     * become means over both areas. */
     void
     take(pairing::ContactNode &taker, const pairing::ContactNode &giver)
     {
-      // A mean over both areas: forces and a constant pressure are kept.
+      // A mean over both areas: sums of forces and a constant pressure are
+      // kept.
       const double part = giver.area / (taker.area + giver.area);
       taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
       taker.masters     = mean(taker.masters, part, giver.masters);
@@ -75,7 +79,9 @@ namespace conetact::contact
     }
   } // namespace
 
-  /* Who takes what they have would change all the time. */
+  /* A held node gives its part to the nearest one (give_up_held_nodes). Which
+     one that is would change as nodes slide, and with it rows of the contact:
+     these nodes are refused. */
   std::map<unsigned int, std::string>
   why_held_nodes_do_not_slide(const model::Bodies &bodies)
   {
@@ -113,8 +119,8 @@ namespace conetact::contact
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      // Of a tie no node is given up: which of its rows a support implies is
-      // found where they are eliminated (BoundUnknowns).
+      // Ties give up no node: which of its rows a support implies is found
+      // where they are eliminated (BoundUnknowns).
       if (held[i] && nodes[i].is_mean && !nodes[i].is_tied())
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&

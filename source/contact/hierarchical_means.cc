@@ -12,7 +12,7 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Weights below this part of the sum are rounding. */
+    /** Weights below this are the rounding of a sum that is 1. */
     constexpr double weight_rounding = 1e-13;
   } // namespace
 
@@ -31,7 +31,8 @@ namespace conetact::contact
       }
     for (const unsigned int body : with_means)
       find_middles(body, rules, *bodies.structures[body]);
-    for (const Key &node : nodes) // of another contact
+    // A middle that has a contact of its own moves by its own unknowns.
+    for (const Key &node : nodes)
       of_middles.erase(node);
     for (const auto &[middle, corners] : of_middles)
       for (const auto &[corner, weight] : corners)
@@ -62,6 +63,10 @@ namespace conetact::contact
     return found == of_corners.end() ? none : found->second;
   }
 
+  /* A middle moves by sum_c p_c u_c, its parts p_c of corners, and by something
+     of its own: a mean sum w u has w of that, and w p_c more of each corner.
+     With dual functions over whole faces these sums are 0 for all corners but
+     one. */
   HierarchicalMeans::Weights
   HierarchicalMeans::weights(const pairing::ContactNode &node) const
   {

@@ -16,7 +16,11 @@ namespace conetact::contact
 {
   namespace
   {
-    /** A layer that closes less under more pressure has no one answer to it. */
+    /**
+     * Refuses a layer that closes less under more pressure, which has no one
+     * answer: C(p) p must not fall from p to p (1 + 1e-6). A fall by a
+     * thousandth of this part is rounding.
+     */
     void
     refuse_falling_closing(const pairing::ContactNode &node,
                            const pairing::Situation   &at)
@@ -62,6 +66,8 @@ namespace conetact::contact
     return v.head(v.size() - 1).norm();
   }
 
+  /* mu = f / r_n at the end, the slope of the limit f where nothing presses. A
+     fluid has its part of r_n without friction. */
   Eigen::VectorXd
   IncrementLaws::coefficients(const solvers::ContactState &end) const
   {
@@ -92,6 +98,8 @@ namespace conetact::contact
     return way;
   }
 
+  /* Archard's law k p |ds| with pressure and slip of the end of the increment,
+     as what wears at once has it in the increment itself. */
   Eigen::VectorXd
   IncrementLaws::wear(const solvers::ContactState &end) const
   {
@@ -124,6 +132,8 @@ namespace conetact::contact
     return p;
   }
 
+  /* Gaps without what a layer stretches by. A node that is closed counts 0: the
+     rounding of its gap must not soften its bond. */
   Eigen::VectorXd
   IncrementLaws::openings(const solvers::ContactState &end) const
   {
@@ -150,8 +160,10 @@ namespace conetact::contact
     return work;
   }
 
-  /* Along a straight way from the start to the end, in so many steps that kinks
-     do not count. */
+  /* The work of pull t(g, s) dg + c rest(g, s) ds along a straight way from the
+     start to the end of the increment, by the midpoint rule in a thousand
+     steps: where softening ends, or unloading does, the integrand has a
+     kink. */
   double
   IncrementLaws::fracture(const std::size_t i,
                           const double      gap_at_start,
@@ -174,6 +186,8 @@ namespace conetact::contact
     return h * sum;
   }
 
+  /* A bond that has opened by more than rounding is not whole, even if it still
+     bears something. */
   bool
   IncrementLaws::is_whole(const std::size_t i,
                           const double      opened,

@@ -17,7 +17,7 @@ namespace conetact::contact
   {
     using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
 
-    /** What is bound, and of other contacts those that have the axes of their
+    /** Bound points, and those of other contacts that have the axes of their
      * nodes. */
     std::vector<const ContactPoint *>
     points_with_axes(const ContactPoints &points)
@@ -42,7 +42,11 @@ namespace conetact::contact
       return nullptr;
     }
 
-    /** Whether nodes with unknowns of their own contacts are masters, too. */
+    /**
+     * Tells whether nodes with unknowns of their own contacts are masters, too:
+     * these unknowns are relative to masters, which must be relative to nothing
+     * else.
+     */
     bool
     masters_are_slaves(const std::vector<const ContactPoint *> &points)
     {
@@ -57,8 +61,12 @@ namespace conetact::contact
       return false;
     }
 
-    /** Whether a mean over nodes has others in it that meet something or hang,
-     * or hardly its own one, whose displacement it tells. */
+    /**
+     * Tells whether a mean over nodes has others in it that meet something or
+     * hang, or hardly its own one: the mean is the unknown, and tells the
+     * displacement of its own node over its weight, which is too small to
+     * divide by.
+     */
     bool
     has_tangled_means(const model::Bodies                     &bodies,
                       const ContactPoints                     &points,
@@ -99,7 +107,7 @@ namespace conetact::contact
       return std::abs(a * b) > 1 - 1e-12;
     }
 
-    /** Whether supports hold all masters of a node along a direction. */
+    /** Tells whether supports hold all masters of a node along a direction. */
     bool
     are_masters_held(const pairing::ContactNode &node,
                      const Tensor<1, 3>         &direction,
@@ -114,7 +122,8 @@ namespace conetact::contact
         });
     }
 
-    /** Whether its tie opens along a direction, or not at all across it. */
+    /** Tells whether a tie opens along a direction, that is, one that is not at
+     * a right angle to the axis of its cut. */
     bool
     opens_along(const pairing::ContactNode &node,
                 const Tensor<1, 3>         &direction,
@@ -129,8 +138,12 @@ namespace conetact::contact
                          });
     }
 
-    /** Whether what supports hold of a bound node is bound there as well, or
-     * not at all: it is theirs then. */
+    /**
+     * Tells whether each direction that supports hold a bound node along is one
+     * of its own: a frictionless one, or one that is bound to masters which
+     * supports hold as well. Along these the node follows supports, along
+     * others its masters.
+     */
     bool
     is_bound_or_held(const ContactPoint  &point,
                      const NodeRules     &supports,

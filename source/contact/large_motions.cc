@@ -11,6 +11,9 @@ namespace conetact::contact
 {
   using Eigen::VectorXd;
 
+  /* Translations e and rotations e x (p - c) about the mean c of all nodes, as
+     each body sees them in its frame; rotating nodes turn by the same angle.
+     Columns have unit length. */
   Eigen::MatrixXd
   common_motions(const model::Bodies &bodies, const Coordinates &coordinates)
   {
@@ -60,6 +63,9 @@ namespace conetact::contact
     return solvers::orthonormal_basis(fields);
   }
 
+  /* The unknown that all motions together move furthest is held, motions that
+     are left do not move it, and of these the next one is chosen, as pivots
+     are. */
   std::vector<Eigen::Index>
   find_pins(const Eigen::MatrixXd &fields, const Coordinates &coordinates)
   {
@@ -72,7 +78,7 @@ namespace conetact::contact
         Eigen::Index furthest = 0;
         moved.rowwise().squaredNorm().maxCoeff(&furthest);
         pins.push_back(furthest);
-        // what is left of the motions with it held
+        // The motions that are left with it held.
         const VectorXd row = moved.row(furthest).normalized();
         moved -= (moved * row).eval() * row.transpose();
       }

@@ -57,6 +57,7 @@ namespace conetact::contact
                            double            &hardest) {
         pair.nodes.insert(
           node_of_displacements(coordinates.number(body, node)));
+        // Rigid bodies have no entries: they are harder than anything.
         hardest = elastic.bodies.is_rigid(body) ?
                     std::numeric_limits<double>::infinity() :
                     std::max(hardest, diagonal[coordinates.dof(body, node)]);
@@ -76,8 +77,9 @@ namespace conetact::contact
       return pairs;
     }
 
-    /** Bodies that meet each other, directly or by others: the first of each
-     * body. */
+    /**
+     * For each body the first of those that it meets, directly or by others.
+     */
     std::vector<unsigned int>
     groups_of_bodies(const Pairs &pairs, const std::size_t n)
     {
@@ -96,6 +98,8 @@ namespace conetact::contact
 
 
 
+  /* arm^2 is the mean entry of rotations on the diagonal of frames over that of
+     displacements: with arm . theta as unknown both are alike. */
   double
   arm_of_rotations(const ElasticSystem &elastic)
   {
@@ -174,7 +178,7 @@ namespace conetact::contact
 
   namespace
   {
-    /** Bodies that open ties, with the slave of each. */
+    /** Rigid bodies that open ties, with the body on the slave side of each. */
     std::map<unsigned int, unsigned int>
     sides_of_cuts(const model::Bodies &bodies)
     {
@@ -185,12 +189,13 @@ namespace conetact::contact
       return slaves;
     }
 
-    /** Of each body, whether it is factorised: frames that meet no other body,
-     * and little that meets frames. */
+    /** Bodies that are factorised: frames that meet no other body, and little
+     * that meets frames. */
     std::vector<bool>
     are_direct(const model::Bodies &bodies, const Pairs &pairs)
     {
-      // what takes Newton's matrix no longer to factorise than to iterate
+      // So many dofs take no longer to factorise in each step of Newton's
+      // method than to iterate.
       const unsigned int        few   = bodies.dim == 2 ? 10000 : 3000;
       const std::size_t         n     = bodies.structures.size();
       const auto                group = groups_of_bodies(pairs, n);
@@ -206,7 +211,7 @@ namespace conetact::contact
       for (unsigned int b = 0; b < n; ++b)
         result.push_back(n_frames[group[b]] > 0 &&
                          (n_bodies[group[b]] == 1 || n_dofs[group[b]] <= few));
-      // What opens a tie is where its sides are.
+      // The rigid body that opens a tie is where its sides are.
       for (const auto &[body, sides] : sides_of_cuts(bodies))
         result[body] = result[sides];
       return result;
@@ -234,6 +239,8 @@ namespace conetact::contact
                 const Coordinates   &coordinates,
                 const ContactPoints &points)
   {
+    // Masters with much harder slaves have soft motions of short waves, which a
+    // smoother of single nodes leaves: see SurfaceSmoother.
     constexpr double     much   = 20;
     const model::Bodies &bodies = elastic.bodies;
     const auto           frame  = [&](const unsigned int body) {
@@ -258,6 +265,8 @@ namespace conetact::contact
 
 
 
+  /* Rows H over all dofs: d . (weight u) at all sides of a point, with its dual
+     directions d in the frame of each body. */
   Eigen::SparseMatrix<double, Eigen::RowMajor>
   rows_of_further(const model::Bodies &bodies,
                   const Coordinates   &coordinates,
@@ -289,6 +298,8 @@ namespace conetact::contact
 
 
 
+  /* H of the unknowns is that of all dofs times C of u = C q: entries of a row
+     are added up where an unknown comes more than once. */
   std::optional<iterative::FurtherContacts>
   further_contacts(const model::Bodies &bodies,
                    const Coordinates   &coordinates,
@@ -320,6 +331,8 @@ namespace conetact::contact
 
 
 
+  /* Sides are numbered by bodies, from 1 on: nodes that are not told are on
+     side 0, with the master. A negative side is that of a node by itself. */
   std::map<unsigned int, int>
   sides_of_ties(const model::Bodies &bodies, const Coordinates &coordinates)
   {

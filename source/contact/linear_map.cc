@@ -9,6 +9,8 @@
 
 namespace conetact::contact
 {
+  /* A row with the one entry 1 is written as the number of its unknown, and its
+     entry is given up: most rows are such. */
   void
   LinearMap::end_row()
   {
@@ -49,6 +51,9 @@ namespace conetact::contact
     return result;
   }
 
+  /* C^T f with zeros in all other rows: a first pass finds the range of
+     unknowns that these rows have, so that no vector of all of them is
+     needed. */
   LinearMap::SomeUnknowns
   LinearMap::restrict_rows(const Eigen::Index     begin,
                            const Eigen::VectorXd &f) const

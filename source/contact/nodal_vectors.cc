@@ -59,6 +59,8 @@ namespace conetact::contact
 
 
 
+  /* Rotations among dofs stay as they are: a body that has some has a frame
+     that does not turn (BodyFrames::may_turn). */
   Eigen::VectorXd
   NodalVectors::map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const
   {
@@ -129,6 +131,8 @@ namespace conetact::contact
 
 
 
+  /* Component c of e_k for translations, of e_k x (x - x_0) for rotations: x_0
+     is the first node. */
   double
   NodalVectors::way_by_first(const unsigned int body,
                              const unsigned int node,
@@ -150,7 +154,8 @@ namespace conetact::contact
 
 
 
-  /* Forces of a rigid body have one resultant at its first node. */
+  /* Forces f_i of a rigid body have one resultant at its first node: sum f_i
+     and sum (x_i - x_0) x f_i, the transpose of way_by_first(). */
   void
   NodalVectors::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const
   {

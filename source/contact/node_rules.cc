@@ -17,9 +17,12 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Directions closer than this (as a sine) are the same. */
+    /** Directions closer than this, as a sine, are the same. As a cosine
+     * (is_across) that is 4e-5 from a right angle. */
     constexpr double same_direction = 1e-9;
 
+    /** v - sum_k (v . e_k) e_k: its length is |v| times the sine of its angle
+     * with what the e_k span. */
     Tensor<1, 3>
     remainder(Tensor<1, 3> v, const std::vector<Tensor<1, 3>> &orthonormal)
     {
@@ -72,6 +75,9 @@ namespace conetact::contact
     return held;
   }
 
+  /* Gram and Schmidt over the axes, of which each time the one is taken that is
+     furthest from the span: what is left of it is at least 1/sqrt(dim) long,
+     and its direction is known to all digits. */
   std::vector<Tensor<1, 3>>
   complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
   {
@@ -104,7 +110,7 @@ namespace conetact::contact
   {
     constexpr double largest_facet_angle = .1; // as a sine
 
-    // What meets nothing yet may do so later.
+    // A node that meets nothing yet may face a body later.
     const auto faces_body = [](const pairing::ContactNode &node) {
       return !node.masters.empty() || node.obstacle == nullptr;
     };
@@ -207,7 +213,9 @@ namespace conetact::contact
   }
 
   /* Gram and Schmidt with the displacements: along the remainder e - sum
-     (e.e_k) e_k the node moves by u_e - sum (e.e_k) u_k, over its length. */
+     (e.e_k) e_k the node moves by u_e - sum (e.e_k) u_k, over its length. Each
+     term remembers its support, so that a support that moves is asked at any
+     time. */
   void
   NodeRules::hold(NodeRule &rule, const HeldDirection &direction)
   {
@@ -285,7 +293,8 @@ namespace conetact::contact
                           const double         t) const
   {
     const Point<3> p = bodies.structures[rule.body]->position(rule.node);
-    // Bodies that turn far are held in all directions, or not at all.
+    // Bodies that turn far are held in all directions, or not at all: frames
+    // take displacements as a whole, not a component of them.
     if (bodies.frames.empty() || rule.held.size() < bodies.dim)
       return displacement(held, p, t);
     Tensor<1, 3> u;
@@ -303,7 +312,7 @@ namespace conetact::contact
       {
         const NodeRule *rule = find(r.body, r.node);
         const Point<3>  p    = bodies.structures[r.body]->position(r.node);
-        // what zeros of expressions are known to
+        // Expressions that should be zero are so to the rounding of positions.
         const double rounding = solvers::position_rounding *
                                 bodies::reach(*bodies.structures[r.body]);
         for (const double t : times)

@@ -11,7 +11,8 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Eigenvalues of a sum of squares below this part of the largest are 0. */
+    /** Eigenvalues of a sum of squares below this part of the largest are 0:
+     * directions below a millionth. */
     constexpr double rank_limit = 1e-12;
   } // namespace
 

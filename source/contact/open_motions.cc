@@ -20,13 +20,15 @@ namespace conetact::contact
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** Of the largest force: what presses less presses nothing. */
+    /** A reaction below this part of the largest force is rounding, and presses
+     * nothing. */
     constexpr double nothing = 1e-12;
 
-    /** Of friction: what is less away from its limit is at it. */
+    /** Friction that is closer to its limit than this part of it is at the
+     * limit. */
     constexpr double at_limit = 1e-9;
 
-    /** Of the way: what is less is rounding. */
+    /** A motion below this part of the way is rounding. */
     constexpr double rounding = 1e-12;
 
     MatrixXd
@@ -39,13 +41,16 @@ namespace conetact::contact
     }
 
     /**
-     * Orthonormal basis of what rows do not see. Squares of rows tell roughly
-     * what it may be, and cost little; the rows themselves what it is.
+     * An orthonormal basis of what rows do not see. Squares of rows are small
+     * and cheap, but know singular values to the root of rounding only: they
+     * choose what may be unseen (`nearly`), and the rows themselves tell of
+     * that what it is (`zero`). Both are over the largest singular value, 1 at
+     * least.
      */
     MatrixXd
     null_of(const MatrixXd &rows)
     {
-      constexpr double zero = 1e-9, nearly = 1e-6; // of the largest row
+      constexpr double zero = 1e-9, nearly = 1e-6;
       if (rows.cols() == 0 || rows.rows() == 0)
         return MatrixXd::Identity(rows.cols(), rows.cols());
       const Eigen::SelfAdjointEigenSolver<MatrixXd> squares(rows.transpose() *
@@ -78,6 +83,10 @@ namespace conetact::contact
     return friction.norm() >= (1 - at_limit) * largest_friction;
   }
 
+  /* Rows G of contacts that press, and of tangents that stick, must not move
+     (`opposed`): open motions are their null space. Others may become larger,
+     and smaller by the room that they have (`bounded`): gaps, and slips along
+     their directions. */
   OpenMotions::OpenMotions(const RigidMotions          &m,
                            const ContactPoints         &points,
                            const solvers::ContactState &state,
@@ -116,14 +125,14 @@ namespace conetact::contact
         const bool bonded = points[i].node->bond != nullptr;
         if (points[i].mu == 0 && !bonded)
           continue;
-        // along the slip, and across it; at its limit what sticks may
-        // slip
+        // The slip may become longer or shorter along its direction, not turn:
+        // that would turn friction. What sticks may slip at its limit.
         const VectorXd friction = -state.r.segment(first, n - first);
         const bool     slips =
           !carries_nothing(friction.norm(), largest_force) &&
           (state.node[static_cast<std::size_t>(i)] ==
              solvers::NodeState::slip ||
-           // of cohesion, the solver says which is at its limit
+           // Limits with cohesion are known to the solver alone.
            (!bonded && is_at_limit(friction, points[i].mu * state.r[n])));
         const VectorXd along = friction.normalized();
         if (slips)
@@ -138,7 +147,8 @@ namespace conetact::contact
     open = motions.unresisted() * null_of(stacked(opposed, seen.cols()));
     if (!exist())
       return;
-    // orthonormal in the products of motions with each other
+    // Orthonormal in the products P of motions with each other, open^T P open =
+    // 1: shortest amounts are shortest ways.
     const Eigen::SelfAdjointEigenSolver<MatrixXd> squares(
       open.transpose() * motions.products_of_free() * open);
     open *= squares.operatorInverseSqrt();
@@ -149,7 +159,9 @@ namespace conetact::contact
       1e-10 * solvers::largest(state.v) + 1e-13 * motions.largest_size();
   }
 
-  /* If there is any, there is one with a component of 1. */
+  /* Looks for a way y with rows y >= 0 where there is no room. Such ways make a
+     cone: if there is any but 0, there is one with a component of 1 or -1 at
+     least, which makes y_j >= 1 or -y_j >= 1 one more row. */
   VectorXd
   OpenMotions::elsewhere() const
   {
@@ -172,6 +184,9 @@ namespace conetact::contact
     return {};
   }
 
+  /* The least |way + open y| with rows y + room >= 0. Without rows y = -open^T
+     P a, with the amounts a of motions in the way; the rest is the shortest
+     step from there into what the rows allow. */
   VectorXd
   OpenMotions::shortening(const VectorXd &way) const
   {

@@ -8,6 +8,9 @@
 
 namespace conetact::contact
 {
+  /* Sets of joined nodes as trees, whose roots stand for them (union and find):
+     each element that joins two of them makes one piece less. Paths are halved
+     as they are walked. */
   unsigned int
   n_pieces(const bodies::Structure &structure)
   {

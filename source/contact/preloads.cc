@@ -30,6 +30,7 @@ namespace conetact::contact
       for (const pairing::ContactNode &node : bodies.contact_nodes)
         if (node.contact == contact)
           {
+            // Nodes without areas count alike if none has one, else not.
             const double part = node.area > 0 ? node.area : 1e-300;
             ++face.n_nodes;
             area += part;
@@ -41,7 +42,11 @@ namespace conetact::contact
       return face;
     }
 
-    /** From the master to the body. */
+    /**
+     * The unit axis along which the sides of the cut move apart, from the
+     * master to the body: where none is given the normal of its faces, whose
+     * mean is shorter than 1 where they are not plane.
+     */
     Tensor<1, 3>
     axis_of(const pairing::Contact &contact,
             const Face             &face,
@@ -58,6 +63,7 @@ namespace conetact::contact
                                   "the bolt.");
           axis = face.normal / face.normal.norm();
         }
+      // An axis in the faces would let sides slide, not part.
       const double cosine = axis * face.normal;
       if (std::abs(cosine) < across)
         throw InputError(in + to_text(axis) +
@@ -70,7 +76,8 @@ namespace conetact::contact
       return cosine < 0 ? -axis : axis;
     }
 
-    /** It only moves along its axis. */
+    /** A guide lets the rigid body of a cut move along its axis only: it holds
+     * all other directions, and rotations. */
     bodies::Support
     guide_of(const model::Cut    &cut,
              const Point<3>      &centre,
@@ -122,6 +129,8 @@ namespace conetact::contact
     return made;
   }
 
+  /* The body of a cut has the force -F e, and the reactions r_i of the tie the
+     other way round: its balance is e . sum r_i = -F. */
   void
   add_preload_forces(const std::vector<pairing::Contact> &contacts,
                      const model::Bodies                 &bodies,

@@ -23,8 +23,10 @@ namespace conetact::contact
     using Numbers = std::vector<Number>;
 
     /**
-     * The map u = C q as constraints: the numbers of dofs that are unknowns are
-     * these, all others stand behind the unknowns and depend on them.
+     * The map u = C q as constraints of deal.II: numbers of dofs that are
+     * unknowns are these, all other dofs stand behind the unknowns and depend
+     * on them. An element K_e becomes C_e^T K_e C_e by its ways to add local
+     * matrices.
      */
     class Constraints
     {
@@ -40,7 +42,7 @@ namespace conetact::contact
         n_numbers = n_unknowns + static_cast<Number>(affine.n_constraints());
       }
 
-      /** Whether all of the element's dofs are unknowns. */
+      /** Tells whether all dofs of an element are unknowns. */
       bool
       find_numbers(const std::vector<unsigned int> &dofs, Numbers &found) const
       {
@@ -165,8 +167,11 @@ namespace conetact::contact
       k.fill(matrix);
     }
 
-    /** Of the first unknowns, with a diagonal: an unknown that no element
-     * touches shall be found as singular by direct solvers. */
+    /**
+     * The upper triangle of the first n unknowns, with a whole diagonal: an
+     * unknown that no element touches has a zero there, and direct solvers name
+     * its node.
+     */
     Eigen::SparseMatrix<double>
     upper_triangle(const dealii::SparseMatrix<double> &all, const Number n)
     {
@@ -209,6 +214,7 @@ namespace conetact::contact
       nodes);
   }
 
+  /* C^T K C is the sum of C_e^T K_e C_e over elements. */
   void
   for_each_element(const ElasticSystem     &system,
                    const LinearMap         &coordinates,
@@ -238,6 +244,8 @@ namespace conetact::contact
 
 
 
+  /* A node is meant if one of its dofs depends on one of these unknowns: nodes
+     that hang on others, or follow masters, are found by the rows of C. */
   SomeNodesOfBodies
   nodes_of(const model::Bodies     &bodies,
            const LinearMap         &coordinates,

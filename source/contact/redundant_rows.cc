@@ -19,16 +19,23 @@ namespace conetact::contact
     using Rows     = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     using Triplets = std::vector<Eigen::Triplet<double>>;
 
-    /** Of rows, which are about one: what is less is rounding. */
+    /** Entries of rows and pivots, which are about one, are rounding below
+     * this. */
     constexpr double zero = 1e-9;
 
-    /** The same of a row by itself that plays a part: far from rounding. */
+    /**
+     * A node tells all of its reactions by itself if its smallest pivot is
+     * above this: far from rounding. Others are left to the rank of their
+     * group.
+     */
     constexpr double safe = 1e-4;
 
     /**
-     * Nodes with rows, and who else has entries where they have. Those are
-     * taken away that cannot be part of any dependence, as unknowns that only
-     * they have tell all of their reactions: few remain.
+     * Nodes with rows, and who else has entries where they have. In H^T r = 0
+     * the unknowns that only one node has tell its reactions, if they are
+     * enough: these are 0, no dependence has a part of them, and the node is
+     * taken away, which may leave others alone with their unknowns. Few remain,
+     * and dense factors of them are small.
      */
     class Remaining
     {
@@ -128,6 +135,7 @@ namespace conetact::contact
           for (Rows::InnerIterator it(rows, first[i] + row); it; ++it)
             if (const auto column = own.find(it.col()); column != own.end())
               local(column->second, row) += it.value();
+        // Pivots fall: the last one tells whether columns are independent.
         const Eigen::ColPivHouseholderQR<MatrixXd> qr(local);
         return std::abs(qr.matrixR()(n - 1, n - 1)) > safe;
       }
@@ -138,7 +146,11 @@ namespace conetact::contact
       std::vector<bool>                     taken;
     };
 
-    /** Rows of a group, and the rank of them by orthonormalising. */
+    /**
+     * The rank of the rows of a group: H^T D P = Q R with the unit columns of
+     * H^T D and pivots P of falling size. The first `rank` columns are
+     * independent and imply the others.
+     */
     class Group
     {
     public:
@@ -185,7 +197,9 @@ namespace conetact::contact
       }
 
       /* Reactions r with H^T r = 0: those of the rows that others imply are
-         chosen, the others follow. */
+         chosen, r_2 = 1 one by one, the others follow, r_1 = -R_11^-1 R_12 r_2,
+         all times D. Orthonormal columns make the least reaction a
+         projection. */
       void
       append_open(Index &column, Triplets &entries) const
       {
@@ -232,7 +246,8 @@ namespace conetact::contact
                const Coordinates   &coordinates,
                const RigidMotions  &motions)
     {
-      // of a rigid body there are its motions only
+      // A rigid body has no unknowns but its motions: they stand behind those
+      // of the others.
       const auto           &body_of = motions.body_of_own();
       const auto            rigid   = std::find_if(body_of.begin(),
                                       body_of.end(),

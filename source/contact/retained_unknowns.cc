@@ -15,7 +15,7 @@ namespace conetact::contact
   {
     using Eigen::Index;
 
-    /** Distance of p from a point, or from the line through two. */
+    /** The distance of p from a point, or from the line through two. */
     double
     distance(const Point<3> &p, const std::vector<Point<3>> &from)
     {

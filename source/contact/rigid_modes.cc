@@ -29,7 +29,7 @@ namespace conetact::contact
       return e;
     }
 
-    /** Whether mode k is one of a body of revolution round y. */
+    /** The one motion of a body of revolution is along y: mode 1. */
     bool
     is_axial(const unsigned int k)
     {
@@ -37,8 +37,9 @@ namespace conetact::contact
     }
 
     /**
-     * Mode k of a body at p; rotations move its rim by about 1. What strains a
-     * body of revolution is no motion: nothing.
+     * Mode k of a body at p: the translation e_k, or the rotation e_k x (p -
+     * p_0) / size, which moves its rim by about 1. Whatever strains a body of
+     * revolution is no motion: nothing.
      */
     Tensor<1, 3>
     mode(const unsigned int        k,
@@ -71,7 +72,8 @@ namespace conetact::contact
       if (bodies.is_rigid(body))
         frame.centre = structure.position(0); // its reference point
       for (unsigned int i = 0; i < n && !bodies.is_rigid(body); ++i)
-        // Any point near the middle of the nodes will do.
+        // Any point near the middle will do: rotations about it move nodes
+        // least, and are nearly orthogonal to translations.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
@@ -81,6 +83,7 @@ namespace conetact::contact
       return frame;
     }
 
+    /** A unit vector with four digits, so that rounding is not told. */
     std::string
     direction_text(Tensor<1, 3> v)
     {
@@ -116,7 +119,8 @@ namespace conetact::contact
 
 
 
-  /* What each mode moves the point p by, along a direction. */
+  /* The row e . R(p): by how much each mode moves p along a direction e. Its
+     transpose times a force is the work that the force does on the modes. */
   Eigen::RowVectorXd
   RigidModes::row(const unsigned int  body,
                   const Point<3>     &p,
@@ -140,6 +144,8 @@ namespace conetact::contact
                         bodies.structures[body]->position(node));
   }
 
+  /* The sum of all modes, as translation and rotation vector: amounts over the
+     size are angles. */
   RigidModes::Motion
   RigidModes::of_body(const Amounts &amounts, const unsigned int body) const
   {
@@ -194,8 +200,8 @@ namespace conetact::contact
     return u;
   }
 
-  /* R^T f: forces along the translations, moments over the size along the
-     rotations. */
+  /* R^T f: forces along the translations, moments about the centre over the
+     size along the rotations, so that both are forces. */
   RigidModes::Amounts
   RigidModes::resultants(const Eigen::VectorXd &forces) const
   {
@@ -229,13 +235,15 @@ namespace conetact::contact
     std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)
       if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
-          // Of bodies that move alike the first is named, not one by rounding.
+          // Bodies may move alike: the first is named, not one by rounding.
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
                     .norm())
         best = body;
     return in_space(modes, static_cast<unsigned int>(best));
   }
 
+  /* The work of forces on the modes of each body, (R^T f)_k a_k: the body that
+     is pushed most is the one to name, not one that only goes along. */
   RigidModes::Motion
   RigidModes::driven_most(const Amounts         &modes,
                           const Eigen::VectorXd &forces) const
@@ -264,6 +272,7 @@ namespace conetact::contact
   std::string
   describe(const RigidModes::Motion &motion)
   {
+    // Both are lengths: one is rounding below a millionth of the other.
     const double translation = motion.translation.norm();
     const double rotation    = motion.size * motion.rotation.norm();
     const double small       = 1e-6 * std::max(translation, rotation);

@@ -16,7 +16,11 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Modes that move no node are no motions, such as the spin of a bar. */
+    /**
+     * Amounts that move no node, such as the spin of a straight bar, are no
+     * motions: the null space of sum_i R_i^T R_i over the nodes i, where a
+     * rotation that a node has as a dof counts 1.
+     */
     Eigen::MatrixXd
     moving_nothing(const model::Bodies &bodies,
                    const RigidModes    &motions,
@@ -44,9 +48,9 @@ namespace conetact::contact
       return split(moved).null;
     }
 
-    /* Rows e . R of all held directions: their squares summed make a small
-       matrix whose null space are the motions that no support resists.
-       Rotations count in lengths, so that its eigenvalues compare. */
+    /* The sum of (e . R)^T (e . R) over all held directions e: its null space
+       are the motions that no support resists. Rotations count in lengths, so
+       that its eigenvalues compare. */
     Eigen::MatrixXd
     squares_of_supports(const model::Bodies &bodies,
                         const NodeRules     &rules,
@@ -67,7 +71,8 @@ namespace conetact::contact
               sum.block(first, first, n_one, n_one) += e.transpose() * e;
             }
           for (const NodeRule::HeldRotation &h : rule.rotations)
-            // A rotation moves the rim by 1.
+            // An amount of 1 moves the rim by 1, and counts as much as a
+            // translation.
             sum(first + h.component, first + h.component) += 1;
         }
       return sum;
@@ -79,6 +84,7 @@ namespace conetact::contact
       return modes.row(cut.body, modes.centre(cut.body), cut.axis);
     }
 
+    /** A cut that is locked is held along its axis, as if by a support. */
     void
     add_squares_of_cuts(const model::Bodies &bodies,
                         const RigidModes    &modes,
@@ -108,7 +114,8 @@ namespace conetact::contact
       return amounts;
     }
 
-    /** Bodies that are tied reach each other only. */
+    /** Bodies that something may reach besides what they are tied to; tied
+     * bodies are asked as one, by the first of them. */
     std::vector<bool>
     reached_bodies(const model::Bodies &bodies, const RigidMotions &motions)
     {
@@ -124,7 +131,7 @@ namespace conetact::contact
       return reached;
     }
 
-    /** Whether ties join the body to others. */
+    /** Tells whether ties join a body to others. */
     bool
     is_tied(const unsigned int   body,
             const model::Bodies &bodies,
@@ -185,6 +192,9 @@ namespace conetact::contact
 
 
 
+  /* The block H = sum (e . R)^T (e . R) of each body in `held`: its null space
+     are the own motions, its pseudo-inverse gives placements. Modes that strain
+     a body of revolution, or move nothing, count as held: they are neither. */
   void
   RigidMotions::find_held_and_free()
   {
@@ -225,7 +235,7 @@ namespace conetact::contact
 
 
 
-  /* Where nothing is tied all own motions are free, as they are. */
+  /* All own motions are free, as they are, where nothing is tied. */
   void
   RigidMotions::tie(const ContactPoints &points)
   {
@@ -248,7 +258,10 @@ namespace conetact::contact
 
 
 
-  /* Placements fit supports and ties; what both leave open is free. */
+  /* Placements fit supports and ties: with the squares T = sum t^T t of ties t
+     the pseudo-inverse is that of H + T. Of own motions R_o the null space of
+     R_o^T T R_o is free, the range is what ties resist. Locked cuts are none of
+     these modes: their amounts are given. */
   void
   RigidMotions::find_tied(const std::vector<unsigned int> &assembly)
   {
@@ -285,11 +298,10 @@ namespace conetact::contact
 
 
 
-  /* The same with springs: free motions are turned so that foundations resist
-     some and do not see the others, which are told apart once for all: later
-     on what a foundation does not see would be rounding. Only whether, not how
-     strongly, matters here: stiffnesses are left out, or soft springs would be
-     taken for none. */
+  /* Free motions are turned so that foundations resist some and do not see the
+     others. These are told apart once for all: later on what a foundation does
+     not see would be rounding. Only whether, not how strongly, matters here:
+     stiffnesses are left out, or soft springs would be taken for none. */
   void
   RigidMotions::find_resisted()
   {
@@ -335,7 +347,10 @@ namespace conetact::contact
 
 
 
-  /* One motion of all bodies at a time: they do not see each other. */
+  /* R^T R over all nodes and dofs, of one mode of all bodies at a time: bodies
+     do not see each other. Least squares (free_in) want this of all of them;
+     the products of a rigid body, whose nodes are as many as meet it, would
+     weigh by chance and are 1. */
   void
   RigidMotions::multiply_free()
   {
@@ -398,6 +413,8 @@ namespace conetact::contact
 
 
 
+  /* Motions that neither springs nor contacts see are the null space of G^T G,
+     with G of the motions that no spring resists. */
   Eigen::MatrixXd
   RigidMotions::unseen() const
   {
@@ -407,14 +424,15 @@ namespace conetact::contact
 
 
 
-  /* Least squares: a rigid motion fits what supports prescribe only if they
-     move as one. What is left is deformation. */
+  /* (H + T) a = sum (e . R)^T d_e + sum t^T d_t, least squares: a rigid motion
+     fits what supports and ties prescribe only if they move as one. What is
+     left is deformation. Where a solution is open it is the smallest. */
   RigidMotions::Amounts
   RigidMotions::placement(const double t) const
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     Amounts amounts = locked(bodies, *this);
-    // the second time takes out the rounding of long sums
+    // One step of refinement takes out the rounding of long sums.
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
         Amounts right = Amounts::Zero(held.rows());
@@ -437,7 +455,7 @@ namespace conetact::contact
                 amounts[first + h.component];
           }
         ties.add_missing(t, amounts, right);
-        // What is locked does not give way to the others.
+        // A locked cut does not give way to the others.
         for (const model::Cut &cut : bodies.cuts)
           if (cut.opening)
             right.segment(cut.body * n_one, n_one).setZero();

@@ -11,6 +11,8 @@ namespace conetact::contact
                        const RigidModes    &modes,
                        const ContactPoints &points)
   {
+    // The row t of a tie: t . a is the displacement along its direction of one
+    // side relative to the other by rigid motions a of all bodies.
     const auto make = [&](const pairing::ContactNode &node,
                           const Tensor<1, 3>         &direction) {
       Tie tied{&node, direction, {}};
@@ -46,6 +48,8 @@ namespace conetact::contact
 
 
 
+  /* Each body gets the number of the first body that it is tied to, directly or
+     by others. */
   void
   RigidTies::join_bodies()
   {
@@ -77,6 +81,8 @@ namespace conetact::contact
 
 
 
+  /* The sum of t^T t over ties: its null space among modes are the motions that
+     no tie sees. */
   Eigen::MatrixXd
   RigidTies::squares(const unsigned int               first_body,
                      const std::vector<Eigen::Index> &among) const
@@ -98,6 +104,8 @@ namespace conetact::contact
 
 
 
+  /* The sum of t^T (d - t . a): d is how far an obstacle has moved that a body
+     is tied to, 0 between bodies. */
   void
   RigidTies::add_missing(const double               t,
                          const RigidModes::Amounts &amounts,

@@ -11,8 +11,9 @@
 
 namespace conetact::contact
 {
-  /* Squares of rows tell roughly which these may be, and cost little; the rows
-     themselves which they are. */
+  /* Squares of rows are small and cheap, but know singular values to the root
+     of rounding only: they choose motions that may be unseen (`nearly`), and
+     the rows themselves tell which of these are (`zero`). */
   Eigen::MatrixXd
   forget_unseen(Eigen::MatrixXd &rows)
   {
@@ -30,7 +31,8 @@ namespace conetact::contact
     if (n == 0)
       return {rows.cols(), 0};
     const Eigen::MatrixXd near = squares.eigenvectors().leftCols(n);
-    // with rows of zeros there are as many right vectors as columns
+    // Rows of zeros are added: a thin SVD has as many right vectors as columns
+    // then.
     Eigen::MatrixXd seen      = Eigen::MatrixXd::Zero(rows.rows() + n, n);
     seen.topRows(rows.rows()) = rows * near;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeThinV);

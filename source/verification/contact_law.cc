@@ -20,7 +20,8 @@ namespace conetact::verification
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /** Of what positions are sums of. */
+    /** A relative displacement has this rounding over the positions that it is
+     * the difference of: each is a sum of a few terms. */
     constexpr double rounding_of_positions =
       16 * std::numeric_limits<double>::epsilon();
 
@@ -41,14 +42,15 @@ namespace conetact::verification
       /** Along the second axis, if it is another one [force]. */
       std::optional<double> second = {};
 
-      /** What friction carries beyond its limit [force]. */
+      /** Friction beyond its limit [force]. */
       double
       beyond(const VectorXd &r_t) const
       {
         return second ? -left_of_ellipse(r_t) :
                         r_t.norm() - std::max(limit, 0.);
       }
-      /** The friction that goes with a slip of that length [force]. */
+      /** Friction at the slip s: -f s / |s| or, along the normal of an ellipse
+       * with semi-axes f_k, -f_k^2 s_k / |(f_1 s_1, f_2 s_2)| [force]. */
       VectorXd
       friction(const double way) const
       {
@@ -59,8 +61,8 @@ namespace conetact::verification
         return size > 0 ? VectorXd(-axes.cwiseProduct(e) / size) :
                           VectorXd(VectorXd::Zero(2));
       }
-      /** How far it turns with a slip of that length, at most [force/length].
-       */
+      /** Bounds |dr/ds|: f / |s|, or (max f_k)^2 / |(f_1 s_1, f_2 s_2)| on an
+       * ellipse [force/length]. */
       double
       turning(const double way) const
       {
@@ -73,8 +75,8 @@ namespace conetact::verification
       }
 
     private:
-      /** What is left up to the ellipse, along r_t; an axis without friction
-       * bears nothing. */
+      /** The distance from r_t to the ellipse along r_t, negative outside; an
+       * axis without friction bears nothing. */
       double
       left_of_ellipse(const VectorXd &r_t) const
       {
@@ -89,8 +91,8 @@ namespace conetact::verification
       }
     };
 
-    /** Of the ellipse of a node what is left where supports hold a direction:
-     * the half of its width along the other one. */
+    /** The radius of the ellipse of friction along the one tangent t that
+     * supports leave, 1 / |((a_1 . t) / f_1, (a_2 . t) / f_2)|. */
     double
     width_along(const pairing::ContactNode &node,
                 const Tensor<1, 3>         &tangent,
@@ -107,7 +109,8 @@ namespace conetact::verification
       return 1 / sum;
     }
 
-    /** What is left of its bond: of a brittle one that of the start. */
+    /** The area on which a bond holds. One that softens does so in this very
+     * increment, a brittle one breaks at the end of one. */
     double
     rest_of_bond(const pairing::ContactNode &node,
                  const pairing::Situation   &here,
@@ -122,7 +125,8 @@ namespace conetact::verification
       return law.rest(opened, slipped, least) * node.bonded_area();
     }
 
-    /** Of friction along an axis, with `bond` left of a bond [length^2]. */
+    /** The limit of friction along an axis, mu r_n + c a but at most that of
+     * the law, where `bond` is the area a on which a bond holds [length^2]. */
     double
     limit_along(const unsigned int          axis,
                 const pairing::ContactNode &node,
@@ -135,11 +139,17 @@ namespace conetact::verification
         limit += bond * node.bond->cohesion(here);
       limit = std::min(limit,
                        node.friction->largest_force(here, node.covered_area()));
-      // a coefficient or a limit that falls below 0 is none
+      // A coefficient or a limit that falls below 0 is none.
       return std::max(limit, 0.);
     }
 
-    /** `slip` and `gap` are those of the bodies. */
+    /**
+     * A node as its laws define it: where `slip` and `gap` are those of the
+     * bodies the law of contact holds for (slip + C_t (r_t - r_t0) / a, gap +
+     * w), with friction r_t0 at the start of the increment, the area a and w,
+     * what pressure closes a layer by and wear takes. Speeds are made of slips
+     * with their shear.
+     */
     Seen
     seen_by_laws(const Claim                 &claim,
                  const std::size_t            i,
@@ -161,6 +171,8 @@ namespace conetact::verification
       here.speed = slip.norm() / laws.duration();
       Seen seen{0, 0, gap + claim.worn[static_cast<Index>(i)], slip};
       if (node.layer)
+        // A bond that is pulled stretches its layer by the compliance that it
+        // has without pressure.
         seen.gap += node.bond && r_n < 0 && area > 0 ?
                       r_n / area * node.layer->closing_by_pressure(here) :
                       node.layer->closing(here);
@@ -174,6 +186,7 @@ namespace conetact::verification
         seen.gap = std::numeric_limits<double>::infinity();
       else if (node.bond)
         {
+          // r_n + pull >= 0 takes the place of r_n >= 0.
           bond      = rest_of_bond(node, here, seen);
           seen.pull = bond * node.bond->strength(here) *
                       node.bond->unloading(std::max(seen.gap, 0.),
@@ -268,11 +281,13 @@ namespace conetact::verification
     length(const double error, const char *name)
     {
       if (!(error <= position))
+        // error <= tol F / k + position is (error - position) k <= tol F.
+        // Without a stiffness k only rounding is allowed.
         take(k > 0 ? relative((error - position) * k - past, F) :
                      std::numeric_limits<double>::infinity(),
              name);
     }
-    /** What slips, or opens against its bond, does so against its friction. */
+    /** Slips, and openings against a bond, go against their friction. */
     void
     slide(const Seen     &seen,
           const VectorXd &r_t,
@@ -306,7 +321,7 @@ namespace conetact::verification
             std::max({scales.noise,
                       scales.rounding[node.body],
                       scales.rounding[other]}),
-            // v is a difference of positions.
+            // Displacements v are differences of positions.
             rounding_of_positions *
               std::max(scales.reach[node.body], scales.reach[other]),
             k};
@@ -342,6 +357,9 @@ namespace conetact::verification
 
 
 
+  /* r_n + pull >= 0, |r_t| <= f; open: r_n + pull = 0, g >= 0; closed: g = 0;
+     stuck: no slip; slipping: friction at its limit, against the slip. In
+     compliant layers slip and g are those of seen_by_laws(). */
   ContactLaw::Errors
   ContactLaw::errors_of_candidate(const std::size_t i,
                                   const Claim      &claim,
@@ -394,7 +412,7 @@ namespace conetact::verification
     if (claim.states[i] == solvers::NodeState::open)
       {
         // The zeros of open nodes are exact: all of what exceeds rounding
-        // counts.
+        // counts, and force() must not take rounding off once more.
         if (seen.pull != 0)
           errors.force(s,
                        "is open and carries more than its bond or its fluid");
@@ -442,12 +460,14 @@ namespace conetact::verification
 
 
 
-  /* Supports take whatever a tie carries that they make redundant, at no
-     displacement, and as a scale this force would excuse any error. */
+  /* A support takes whatever a tie carries that it makes redundant, at no
+     displacement, and as a scale this force would excuse any error. It must
+     have a cause: loads, springs or strain, which levers multiply, but hardly
+     by 1e4. */
   void
   ContactLaw::check_bound_forces(const Claim &claim, Finding &out) const
   {
-    constexpr double largest_lever = 1e4; // of what acts, and what is strained
+    constexpr double largest_lever = 1e4; // over what acts or is strained
     if (bound_stiffness.size() == 0)
       return;
     double cause = solvers::largest(*claim.loads) +

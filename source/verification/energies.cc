@@ -12,7 +12,8 @@ namespace conetact::verification
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /** Mean of both forces times the change of the displacement. */
+    /** The work .5 (f0 + f1) . (u1 - u0) [force x length]: exact where forces
+     * are linear in displacements, as those of elastic bodies are. */
     template <typename Forces, typename Displacements>
     double
     trapezoid(const Forces        &f0,
@@ -23,9 +24,11 @@ namespace conetact::verification
       return .5 * (f0 + f1).dot(u1 - u0);
     }
 
-    /** Of names in checkpoints. */
+    /** Names of foundations in checkpoints begin with this. */
     const std::string foundation = "energies/foundation ";
 
+    /** Before the first increment nothing acts: forces are empty, and zeros
+     * then. */
     void
     fill(VectorXd &x, const Index n)
     {
@@ -33,8 +36,11 @@ namespace conetact::verification
         x.setZero(n);
     }
 
-    /** Springs between body and ground. On the whole they are inside: only the
-     * ground that moves does work from outside. */
+    /**
+     * Adds the energy .5 f . (g - u) of springs f = K_s (g - u) between a body
+     * and its ground g. They are inside of what the energies balance: ground
+     * that moves does work from outside, the body does not.
+     */
     void
     add_foundations(const Finding                    &finding,
                     std::vector<contact::Foundation> &before,
@@ -70,6 +76,7 @@ namespace conetact::verification
            dealii::ExcMessage("Contacts keep their order where they slide."));
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     fill(last_forces, finding.acting.size());
+    // A checkpoint, and gather(), leave forces of all dofs.
     if (last_forces.size() != share.size())
       last_forces = share.of(last_forces).eval();
     fill(last_r, r.size());
@@ -90,7 +97,8 @@ namespace conetact::verification
         const Tensor<1, 3>           reaction = contact::force_of(point, r);
         // A reaction acts on the body; an obstacle that moves with it does
         // work, and so does an interference that grows. Where nodes slide each
-        // of both reactions goes with the point that it met.
+        // of both reactions goes with the point that it met. The first
+        // increment starts from no displacement at all.
         const auto moved = [&](const pairing::ContactNode &node) {
           Tensor<1, 3> d = node.opponent_displacement(t);
           if (!is_first)
@@ -104,7 +112,9 @@ namespace conetact::verification
         const auto nt   = static_cast<Index>(point.dual.size()) - 1;
         const auto work = [&](const Index first, const Index size) {
           // Friction opposes the slip: its work on the bodies is negative, and
-          // what is lost positive.
+          // what is lost positive. Reactions of the start work along the
+          // directions that contacts had then, those of the end along the
+          // present ones.
           return -.5 * (last_r.segment(first, size)
                           .dot(finding.change_as_before.segment(first, size)) +
                         r.segment(first, size)

@@ -35,6 +35,7 @@ namespace conetact::verification
       return moment;
     }
 
+    /** The mean of a body's nodes, where its frame puts them. */
     Point<3>
     centre_of(const model::Bodies &bodies, const unsigned int body)
     {
@@ -45,7 +46,12 @@ namespace conetact::verification
       return centre;
     }
 
-    /** Adds forces to the sums of the scene and of their body. */
+    /**
+     * Adds forces to the sums of the scene and of their body. The scene has
+     * moments about the origin, a body about the mean of its nodes. Magnitudes
+     * are added up beside the sums: they are the scale of what the sums may
+     * miss.
+     */
     class Collector
     {
     public:
@@ -68,7 +74,8 @@ namespace conetact::verification
         if (force.norm_square() == 0 && moment.norm_square() == 0)
           return; // as on most nodes
         Balance &balance = all.bodies[body];
-        // What opens a cut is no body: it balances, nothing else knows it.
+        // The rigid body of a cut is none of the scene: it balances, nothing
+        // else knows it.
         model::Resultant  unseen;
         model::Resultant &sum = is_cut(body) ? unseen : resultant;
         sum.force += force;
@@ -78,18 +85,18 @@ namespace conetact::verification
           std::max(balance.largest_moment, moment.norm());
         if (bodies.structures[body]->is_axisymmetric())
           {
-            // What acts radially cancels round the axis, moments do, too.
+            // Radial forces cancel round the axis, and so do moments.
             balance.sum.force[1] += force[1];
             return;
           }
         sum.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
-        // The scene has one point for all moments. A body has its own centre,
-        // since about a far point its moments would be rounding.
+        // About a far point the moments of a body would be differences of large
+        // numbers: it has a centre of its own.
         const Tensor<1, 3> turning = cross_product_3d(p - centres[body], force);
         balance.sum.force += force;
         balance.sum.moment += moment + turning;
-        // Magnitudes do not cancel: what sums of rounded terms may be off is
-        // measured by them, however small the sums are.
+        // Magnitudes do not cancel: they measure the rounding of these sums,
+        // however small the sums are.
         balance.moments += moment.norm() + turning.norm();
         balance.arms += (p - centres[body]).norm() * force.norm();
       }
@@ -114,7 +121,8 @@ namespace conetact::verification
         });
       }
 
-      /** What all processes have collected. */
+      /** Adds up what all processes have collected: all numbers in one message
+       * of sums and one of maxima. */
       void
       gather(const contact::DofShare &share)
       {
@@ -170,7 +178,8 @@ namespace conetact::verification
       std::vector<Point<3>> centres;
     };
 
-    /** Forces along what supports hold, each by the first that holds it. */
+    /** Gives what is left at nodes that supports hold to these supports, each
+     * direction to the first that holds it. */
     void
     collect_supports(const ActedOn         &on,
                      const Eigen::VectorXd &rest,
@@ -191,6 +200,7 @@ namespace conetact::verification
           // imbalance stays one.
           for (const contact::HeldDirection &h : rule.held)
             {
+              // Held directions of a node are orthonormal: their parts add up.
               const Tensor<1, 3> part = (force * h.direction) * h.direction;
               collector.act(all.supports[h.terms.front().support],
                             rule.body,
@@ -222,7 +232,9 @@ namespace conetact::verification
   double
   Balance::turning() const
   {
-    // forces towards the centre have moments of rounding only
+    // Forces towards the centre have no moments but rounding, which needs a
+    // scale as well: a hundredth of the moments that they would have across
+    // their arms.
     constexpr double least = .01;
     return std::max(moments, least * arms);
   }

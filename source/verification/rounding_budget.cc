@@ -17,7 +17,8 @@ namespace conetact::verification
     using Eigen::VectorXd;
 
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    /** Of the largest thermal force on a node of a body. */
+    /** Thermal forces that cancel at a node leave less than this, over the
+     * largest of them on the body. */
     constexpr double noise_of_thermal = 64 * epsilon;
   } // namespace
 
@@ -39,7 +40,9 @@ namespace conetact::verification
 
 
 
-  /* What strains what springs carry along is known to no less. */
+  /* Forces in a body that springs carry along are known to the rounding of how
+     far the ground has gone, now or in the past: what one increment leaves is
+     where the next one starts. */
   VectorXd
   RoundingBudget::of_springs(const Finding &out) const
   {
@@ -77,7 +80,9 @@ namespace conetact::verification
 
 
 
-  /* All of a body goes as far as what goes furthest. */
+  /* 16 eps sum_j |K_ij| s: the forces of displacements that are wrong by the
+     rounding of a way s, the longest of the body, at all of its nodes and in
+     the worst directions. */
   VectorXd
   RoundingBudget::of_ways(const std::vector<double> &ways) const
   {
@@ -94,8 +99,13 @@ namespace conetact::verification
 
 
 
-  /* Supports and contacts that hold a body which only strains itself take up
-     what its forces leave when they cancel, at all of its nodes together. */
+  /* Returns the rounding of forces on a body on which nothing but rounding
+     acts, and 0 for any other one: with loads of its own, or without any force.
+     Supports and contacts that hold a body which strains itself by heat take up
+     what its forces leave where they cancel. Either no force is larger than the
+     rounding of the largest thermal one, or the forces do not balance and all
+     of them together are less than the rounding of K w at all nodes, sum_i
+     sum_j |K_ij| (8 eps |w_j| + 16 eps s), with the way s of of_ways(). */
   double
   RoundingBudget::of_body(const unsigned int body,
                           const Claim       &claim,
@@ -116,13 +126,14 @@ namespace conetact::verification
       return (dof - plain.offset(b)) % bodies.structures[b]->n_components() >=
              bodies.dim;
     };
-    double largest[2] = {0, 0}; // of forces and of moments
+    double largest[2] = {0, 0}; // forces and moments have different units
     for (Index i = first; i < first + n; ++i)
       largest[is_turn(body, i)] =
         std::max(largest[is_turn(body, i)], std::abs((*claim.loads)[i]));
     if (balance.largest <= noise_of_thermal * largest[0] &&
         balance.largest_moment <= noise_of_thermal * largest[1])
       return noise_of_thermal * largest[0];
+    // Forces that balance are forces, however small they are.
     if (balance.error() <= tolerance)
       return 0;
     if (rounding.size() == 0) // only where it may matter
@@ -178,6 +189,7 @@ namespace conetact::verification
             if (foundation.forces.size() > 0)
               foundation.forces.segment(first, n).setZero();
         }
+    // A reaction is nothing only if it is that to both of its sides.
     for (const contact::ContactPoint &point : points.all())
       if (is_idle(point.node->body) && !point.node->opening &&
           (point.node->masters.empty() || is_idle(point.node->master)))

@@ -22,7 +22,8 @@ namespace conetact::verification
     constexpr double eps   = std::numeric_limits<double>::epsilon();
     constexpr double noise = 64 * eps; ///< of the largest force so far
 
-    /** The end of a sentence. */
+    /** Ends a sentence about forces that do not balance: pieces that nothing
+     * joins may be the reason. */
     std::string
     loose_pieces(const bodies::Structure &structure)
     {
@@ -63,7 +64,7 @@ namespace conetact::verification
                                        const double    t) const
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    // v = H u from the definition, node by node: the H of the solver is not
+    // H u follows from the definition, node by node: the H of the solver is not
     // asked.
     VectorXd   v(points.n_all_unknowns());
     const auto at = [&](const unsigned int body, const unsigned int node) {
@@ -91,12 +92,15 @@ namespace conetact::verification
 
 
 
+  /* F_b is the largest external force on a node of body b, loads of heat left
+     out; at nodes they count as well. Each process looks at its own nodes, and
+     the largest of all are taken together. */
   Scales
   Verification::scales(const Claim   &claim,
                        const Finding &out,
                        const Share   &share) const
   {
-    // of each body: load, way, coordinate
+    // Three numbers of each body: the largest load, way and coordinate.
     const auto n_bodies = static_cast<Index>(bodies.structures.size());
     VectorXd   own      = VectorXd::Zero(3 * n_bodies);
     share.for_each_node(
@@ -125,7 +129,8 @@ namespace conetact::verification
         scales.reach.push_back(largest[3 * body + 2] + largest[3 * body + 1]);
         scales.history[b] = std::max(scales.history[b], scales.nodal.back());
       }
-    // bodies are solved together: what is small beside others has their noise
+    // Bodies are solved together: forces that are small beside those of others
+    // have their noise.
     scales.noise =
       noise * *std::max_element(scales.history.begin(), scales.history.end());
     return scales;
@@ -133,6 +138,10 @@ namespace conetact::verification
 
 
 
+  /* |C^T (K w - f - H^T r)| <= tol F_b + 8 eps sum_j |K_ij| |w_j| at each
+     unknown, and the rounding of the largest force so far. The sum of
+     magnitudes costs a pass over all elements: it is made only where an error
+     is not small by itself. */
   Verification::Unbalanced
   Verification::worst_node(const Claim  &claim,
                            const Scales &scales,
@@ -154,6 +163,7 @@ namespace conetact::verification
       const double error =
         std::abs(free[unknown]) / (turns ? 2 * motions.size(body) : 1.);
       const double scale = scales.nodal[body];
+      // Without forces the scale is 0, and rounding over it infinite.
       if (error <= std::max(.1 * scales.noise, out.rounding[body]))
         return;
       // Far below the limit there is no need for |K| |w|.
@@ -191,6 +201,8 @@ namespace conetact::verification
 
 
 
+  /* Processes share nodes in their order, and the first that found an error
+     tells: the sentence does not depend on their number. */
   void
   Verification::check_nodes(const Claim  &claim,
                             const Scales &scales,
@@ -244,6 +256,9 @@ namespace conetact::verification
 
 
 
+  /* The change H (u - u_last) less that of the obstacles, with the rows H that
+     contacts have now, for the law, and with those that they had when the last
+     increment ended, for the work that its reactions do. */
   void
   Verification::find_changes(const double t, Finding &out) const
   {
@@ -252,7 +267,7 @@ namespace conetact::verification
     out.displacements = relative_displacements(points.all(), *out.u, t);
     out.change        = out.displacements;
     if (last.u)
-      // of the same nodes and foots, where they were
+      // The same nodes and feet are asked, where they were.
       out.change -= relative_displacements(points.all(), *last.u, last.t);
     out.change_as_before = out.change;
     if (!last.points.empty())
@@ -263,6 +278,8 @@ namespace conetact::verification
 
 
 
+  /* -H^T r from the definition, side by side: neither is the H^T of the solver
+     asked. */
   void
   Verification::subtract_reactions(const VectorXd &r,
                                    const Share    &share,
@@ -290,13 +307,15 @@ namespace conetact::verification
 
 
 
+  /* K w - f - f_foundations - H^T r at the dofs of this process: what supports
+     must add, and where nothing is held an error. */
   VectorXd
   Verification::find_rest(const Claim &claim,
                           const Share &share,
                           Finding     &out) const
   {
-    // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
-    // nobody computes it.
+    // Gaps see all of u = R a + w, forces only w: K R = 0 is exact where nobody
+    // computes it.
     VectorXd u = motions.field(claim.amounts);
     u += *claim.w;
     out.u           = contact::shared(plain.displacements(std::move(u)));
@@ -339,6 +358,7 @@ namespace conetact::verification
     collect();
     if (budget.find(claim, out))
       {
+        // Sums, scales and reactions once more, without these bodies.
         budget.forget(share, rest, out);
         collect();
         for (std::size_t body = 0; body < out.rounding.size(); ++body)
@@ -428,6 +448,7 @@ namespace conetact::verification
       return;
     last.nodes  = points.nodes();
     last.points = points.all();
+    // Points refer to nodes by their address: to the copies now.
     for (contact::ContactPoint &point : last.points)
       point.node = last.nodes.data() + (point.node - points.nodes().data());
   }

@@ -36,7 +36,7 @@ namespace conetact::condensed
   const std::vector<Condenser> &
   condenser_table();
 
-  /** That of scenes that name none, the fastest one. */
+  /** The condenser of scenes that name none, the fastest one. */
   const Condenser &
   default_condenser();
 

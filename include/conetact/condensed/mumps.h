@@ -38,7 +38,8 @@ namespace conetact::condensed
     void
     analyse();
 
-    /** With more workspace, again, where that of the analysis is too small. */
+    /** Factorises, once more with more workspace where that of the analysis is
+     * too small. */
     void
     factorize();
 

@@ -147,7 +147,8 @@ namespace conetact::contact
     assemble_all() const;
     void
     assemble_system();
-    /** Of all rows and motions, as the system and what is bound see them. */
+    /** Splits a load of all rows and motions into those that the system and
+     * what is bound see. */
     void
     set_load(const VectorXd &all, LoadCase &load) const;
     VectorXd
@@ -173,7 +174,8 @@ namespace conetact::contact
      */
     void
     forget_rounding(LoadCase &load) const;
-    /** Of all motions that no foundation resists what contacts do not see. */
+    /** Takes out of the system the motions that neither foundations resist nor
+     * contacts see, and remembers them. */
     void
     forget_unseen_motions(solvers::ContactSystem &system);
     /** Takes motions that nothing resists out of imbalances. */

@@ -20,11 +20,10 @@ namespace conetact::contact
   {
   public:
     /**
-     * With `find_mechanisms` motions without strain are looked for besides
-     * rigid ones.
-     * `coordinates` are those of the bodies without contacts; references must
-     * outlive the object. Throws SingularMatrix if a body can move although its
-     * contact nodes are fixed.
+     * Looks for motions without strain besides rigid ones with
+     * `find_mechanisms`. `coordinates` are those of the bodies without
+     * contacts; references must outlive the object. Throws SingularMatrix if a
+     * body can move although its contact nodes are fixed.
      */
     CondensedStiffness(const ElasticSystem        &elastic,
                        const ContactPoints        &points,
@@ -105,7 +104,7 @@ namespace conetact::contact
     const ElasticSystem  &elastic;
     const RigidMotions   &motions;
     const BodyCoordinates own;
-    /** Of each contact unknown. */
+    /** The number of each contact unknown among own unknowns. */
     const std::vector<CondensedBodies::Index> own_unknown;
     CondensedBodies                           bodies;
   };

@@ -14,11 +14,11 @@
 namespace conetact::contact
 {
   /**
-   * Of contacts that share a node the one that has the axes of its unknowns: a
-   * bound one, else the nearest, else one with an obstacle. The others, and
-   * springs, whose points may be anywhere, are further ones, which see what the
-   * node does in these axes. Where no node is shared all candidates have axes,
-   * and all is as it is without.
+   * One of the contacts that share a node has the axes of its unknowns: a bound
+   * one, else the nearest, else one with an obstacle. The others, and springs,
+   * whose points may be anywhere, are further ones, which see what the node
+   * does in these axes. Where no node is shared all candidates have axes, and
+   * all is as it is without.
    */
   class ContactAxes
   {

@@ -42,7 +42,7 @@ namespace conetact::contact
     const ElasticSystem  elastic;
     RigidMotions         motions;
     BodyFrames           frames;
-    /** Of large systems. */
+    /** The preconditioner of large systems. */
     const iterative::Preconditioner preconditioner;
 
     /** A bound node of which supports or other bound contacts hold what its
@@ -99,10 +99,12 @@ namespace conetact::contact
     load_case(const Eigen::VectorXd &mechanical,
               const Eigen::VectorXd &thermal,
               const double           t);
-    /** Of the contact unknowns, from displacements of all dofs at time t. */
+    /**
+     * Displacements of the contact unknowns, from those of all dofs at time t.
+     */
     Eigen::VectorXd
     relative_displacements(const Eigen::VectorXd &u, const double t) const;
-    /** That of a node. */
+    /** The displacement of a node, in space. */
     Tensor<1, 3>
     displacement(const Eigen::VectorXd &u,
                  const unsigned int     body,
@@ -132,7 +134,7 @@ namespace conetact::contact
     /** How open cuts are in displacements u of all dofs [length]. */
     double
     opening(const model::Cut &cut, const Eigen::VectorXd &u) const;
-    /** On all dofs: forces by which locks of cuts keep reactions in balance. */
+    /** Forces on all dofs by which locks of cuts keep reactions in balance. */
     Eigen::VectorXd
     lock_forces(const Eigen::VectorXd &all_reactions) const;
 
@@ -143,7 +145,8 @@ namespace conetact::contact
   private:
     bool
     needs_compliance() const;
-    /** Of small frames, as that takes a factorisation. */
+    /** Tells whether small frames have no motion but rigid ones; false for
+     * large ones, as that takes a factorisation. */
     bool
     moves_as_rigid_only() const;
     bool
@@ -152,7 +155,7 @@ namespace conetact::contact
     singular_sentence(const condensed::SingularMatrix &error) const;
     Eigen::VectorXd
     all_offsets(const LoadCase &load, const double t) const;
-    /** In displacements u of all dofs at time t. */
+    /** The deformation in displacements u of all dofs at time t. */
     Eigen::VectorXd
     deformation(const Eigen::VectorXd &u, const double t) const;
 

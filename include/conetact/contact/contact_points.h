@@ -42,8 +42,8 @@ namespace conetact::contact
   Tensor<1, 3>
   force_of(const ContactPoint &point, const Eigen::VectorXd &r);
 
-  /** Of displacements at(body, node) what a contact node sees: the difference
-   * of its two sides. */
+  /** The difference of the two sides of a contact node, of displacements
+   * at(body, node). */
   template <typename DisplacementAt>
   Tensor<1, 3>
   difference_of_sides(const pairing::ContactNode &node,

@@ -65,7 +65,7 @@ namespace conetact::contact
                         const Eigen::VectorXd   &u) const;
     Eigen::VectorXd
     spring_forces(const Eigen::VectorXd &u) const;
-    /** Those of the first foundations of all bodies, of the second ones ... */
+    /** Forces of the first foundations of all bodies, of the second ones ... */
     std::vector<Eigen::VectorXd>
     forces_by_foundation(const Eigen::VectorXd &u) const;
     /**

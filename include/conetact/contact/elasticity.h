@@ -41,7 +41,7 @@ namespace conetact::contact
      */
     Eigen::VectorXd offset;
     Eigen::VectorXd placement; ///< amounts of RigidMotions
-    /** Of contacts that have some of their own; else none. */
+    /** Laws of contacts that have some of their own; else none. */
     std::shared_ptr<const IncrementLaws> laws;
   };
 
@@ -70,8 +70,8 @@ namespace conetact::contact
     Eigen::VectorXd base;    ///< those that problems are written about
   };
 
-  /** Of the largest force so far: to a tolerance of 1e-10 of this, what is left
-   * of it is rounding. */
+  /** A reference force over the largest force so far: to a tolerance of 1e-10
+   * of this, what is left of it is rounding. */
   constexpr double rounding_of_past = 1e-4;
 
   /**
@@ -240,7 +240,8 @@ namespace conetact::contact
       return {};
     }
 
-    /** Of what is bound, where it is known; null: it is not. */
+    /** Redundant rows of what is bound, where they are known; null: they are
+     * not. */
     virtual const RedundantRows *
     redundant_rows() const
     {

@@ -25,7 +25,7 @@ namespace conetact::contact
   add_free_obstacles(std::vector<pairing::Obstacle> &obstacles,
                      model::Bodies                  &bodies);
 
-  /** Of each body the first dof, behind them the number of all. */
+  /** The first dof of each body, behind them the number of all. */
   std::vector<Eigen::Index>
   first_dofs(const model::Bodies &bodies);
 

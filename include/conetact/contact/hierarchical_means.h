@@ -47,11 +47,11 @@ namespace conetact::contact
     const Weights &
     middles(const unsigned int body, const unsigned int corner) const;
 
-    /** Of nodes of the own side of a contact node: of middles what they have of
-     * their own. */
+    /** Weights of nodes on the own side of a contact node: those of middles are
+     * of what they have of their own. */
     Weights
     weights(const pairing::ContactNode &node) const;
-    /** Of its own node in them. */
+    /** The weight of its own node among them. */
     double
     own_weight(const pairing::ContactNode &node) const;
 

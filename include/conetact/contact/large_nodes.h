@@ -33,8 +33,8 @@ namespace conetact::contact
   Eigen::VectorXd
   diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs);
 
-  /** By how much the hardest slave is harder than its master, from diagonals of
-   * K; 0 where no body meets another one. */
+  /** The hardness of the hardest slave over that of its master, from diagonals
+   * of K; 0 where no body meets another one. */
   double
   hardest_slave(const ElasticSystem &elastic,
                 const Coordinates   &coordinates,
@@ -69,10 +69,10 @@ namespace conetact::contact
                   const ContactPoints &points);
 
   /**
-   * Of nodes of bodies that forces draw to others (Cut), their sides as
-   * iterative::LargeStiffness has it: as such a tie opens one of its sides
-   * moves as a whole, which aggregates of nodes of both could not. The node of
-   * the opening stays alone.
+   * Sides, as iterative::LargeStiffness has them, of nodes of bodies that
+   * forces draw to others (Cut): as such a tie opens one of its sides moves as
+   * a whole, which aggregates of nodes of both could not. The node of the
+   * opening stays alone.
    */
   std::map<unsigned int, int>
   sides_of_ties(const model::Bodies &bodies, const Coordinates &coordinates);

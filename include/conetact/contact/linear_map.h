@@ -65,7 +65,7 @@ namespace conetact::contact
         return values[unknown - first];
       }
     };
-    /** Of rows `begin`, begin + 1, ... that have f. */
+    /** C^T f of rows `begin`, begin + 1, ... that have f. */
     SomeUnknowns
     restrict_rows(const Eigen::Index begin, const Eigen::VectorXd &f) const;
 

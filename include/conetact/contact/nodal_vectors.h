@@ -61,8 +61,8 @@ namespace conetact::contact
             const unsigned int     body,
             const unsigned int     node) const;
 
-    /** Of all dofs, in space, from those in the frames of bodies; the inverse;
-     * and the same of forces. Empty vectors stay empty. */
+    /** Displacements of all dofs in space, from those in the frames of bodies;
+     * the inverse; and the same of forces. Empty vectors stay empty. */
     Eigen::VectorXd
     displacements(Eigen::VectorXd u) const;
     Eigen::VectorXd
@@ -73,8 +73,8 @@ namespace conetact::contact
     forces_in_frames(Eigen::VectorXd f) const;
 
   protected:
-    /** By how much dof k of the first node of a rigid body moves component c of
-     * another one. */
+    /** The way of component c of a node of a rigid body by dof k of its first
+     * node. */
     double
     way_by_first(const unsigned int body,
                  const unsigned int node,

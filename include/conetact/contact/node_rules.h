@@ -127,7 +127,7 @@ namespace conetact::contact
                  const HeldDirection &held,
                  const double         t) const;
 
-    /** That of a node; null: none. */
+    /** The rule of a node; null: it has none. */
     const NodeRule *
     find(const unsigned int body, const unsigned int node) const;
 

@@ -15,7 +15,7 @@ namespace conetact::contact
     Eigen::MatrixXd pseudo_inverse;
   };
 
-  /** Of a sum of squares of directions, whose entries are about one. */
+  /** Splits a sum of squares of directions, whose entries are about one. */
   NullAndRange
   split(const Eigen::MatrixXd &gram);
 } // namespace conetact::contact

@@ -41,14 +41,14 @@ namespace conetact::contact
   };
 
   /**
-   * Of rows over any unknowns; rows from first[i] to first[i + 1] belong to one
-   * node, and most nodes have unknowns of their own.
+   * Redundant ones of rows over any unknowns. Those from first[i] to first[i+1]
+   * belong to one node, and most nodes have unknowns of their own.
    */
   RedundantRows
   find_redundant_rows(const Eigen::SparseMatrix<double, Eigen::RowMajor> &rows,
                       const std::vector<Eigen::Index> &first);
 
-  /** Of all that is bound, over what supports leave free. */
+  /** Redundant rows of all that is bound, over what supports leave free. */
   RedundantRows
   find_redundant_rows(const model::Bodies &bodies,
                       const ContactPoints &points,

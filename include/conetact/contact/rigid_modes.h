@@ -96,7 +96,7 @@ namespace conetact::contact
     {
       return frames[body].size;
     }
-    /** That of the largest body. */
+    /** The size of the largest body. */
     double
     largest_size() const;
 

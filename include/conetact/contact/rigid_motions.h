@@ -138,7 +138,8 @@ namespace conetact::contact
     {
       return without_springs;
     }
-    /** Those as the contact unknowns see them; zero where by rounding only. */
+    /** Loose motions as the contact unknowns see them; zero where by rounding
+     * only. */
     Eigen::MatrixXd
     null_space() const;
     /**

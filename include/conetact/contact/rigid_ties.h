@@ -17,8 +17,8 @@ namespace conetact::contact
   {
   public:
     RigidTies() = default;
-    /** Of points that are tied, as they were at the start: those that are found
-     * again are replaced. */
+    /** Takes points that are tied as they were at the start: those that are
+     * found again are replaced. */
     RigidTies(const model::Bodies &bodies,
               const RigidModes    &modes,
               const ContactPoints &points);

@@ -15,7 +15,7 @@ namespace conetact::contact
    * copies would be most of the memory of a large scene. */
   using SharedVector = std::shared_ptr<const Eigen::VectorXd>;
 
-  /** Of no numbers, none. */
+  /** Shares numbers; where there are none, nothing. */
   inline SharedVector
   shared(Eigen::VectorXd x)
   {
@@ -23,13 +23,13 @@ namespace conetact::contact
              std::make_shared<const Eigen::VectorXd>(std::move(x)) :
              nullptr;
   }
-  /** Of what must outlive it. */
+  /** Shares numbers of another owner, which must outlive it. */
   inline SharedVector
   borrowed(const Eigen::VectorXd &x)
   {
     return {SharedVector(), &x};
   }
-  /** Empty: there is none. */
+  /** The numbers that are shared; empty where there are none. */
   inline const Eigen::VectorXd &
   numbers(const SharedVector &x)
   {

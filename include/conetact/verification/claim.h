@@ -29,8 +29,8 @@ namespace conetact::verification
     std::vector<solvers::NodeState> states;     ///< of the candidates
     contact::SharedVector           loads;      ///< nodal, all dofs [force]
     contact::SharedVector           mechanical; ///< those without thermal ones
-    /** Of contacts that have laws: where they stand, as far as it is known at
-     * the start of the increment; else none. */
+    /** Laws of contacts that have some, and where these stand as far as it is
+     * known at the start of the increment; else none. */
     std::shared_ptr<const contact::IncrementLaws> laws;
     Eigen::VectorXd worn; ///< depth of each candidate there; with laws [length]
     double          t           = 0;
@@ -45,12 +45,12 @@ namespace conetact::verification
     double      residual    = 0; ///< worst error of the contact law, relative
     double      equilibrium = 0; ///< worst unbalanced force, relative
     std::string why; ///< it is not accepted, a sentence; empty: it is
-    /** Of w alone: a rigid motion has none [force x length]. */
+    /** The energy of w alone: a rigid motion has none [force x length]. */
     double strain_energy = 0;
 
     contact::SharedVector u; ///< displacements of all dofs, in space [length]
-    /** At the dofs of this process (contact::DofShare): loads and supports, in
-     * space, and forces that are left [force]. */
+    /** Loads and supports, in space, and forces that are left, at the dofs of
+     * this process (contact::DofShare) [force]. */
     Eigen::VectorXd acting, unbalanced;
     Eigen::VectorXd displacements; ///< of all contact unknowns, relative
     Eigen::VectorXd change;        ///< of them in this increment
@@ -58,10 +58,8 @@ namespace conetact::verification
     Eigen::VectorXd     change_as_before;
     Eigen::VectorXd     missed_by_bound; ///< what is bound moved by [length]
     std::vector<double> largest_force;   ///< external, on a node, of each body
-    /**
-     * Of each body on which nothing acts from outside: the rounding of forces
-     * on its nodes, which are no more than that and count as 0; of others 0.
-     */
+    /** The rounding of forces on the nodes of each body on which nothing acts
+     * from outside: they are no more than that and count as 0; of others 0. */
     std::vector<double> rounding;
     /** Rounding of forces where springs of supports carry bodies along, at all
      * dofs; empty where none does. */

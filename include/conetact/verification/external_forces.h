@@ -67,7 +67,7 @@ namespace conetact::verification
                   const Eigen::VectorXd                  &loads,
                   const Eigen::VectorXd                  &r);
 
-  /** Of forces on all dofs, in space, about the origin. */
+  /** The resultant of forces on all dofs, in space, about the origin. */
   model::Resultant
   resultant(const model::Bodies        &bodies,
             const contact::Coordinates &plain,

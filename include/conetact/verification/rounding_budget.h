@@ -29,8 +29,8 @@ namespace conetact::verification
                    const contact::ContactPoints &points,
                    const double                  tolerance);
 
-    /** At all dofs, of forces where springs carry bodies along; empty where
-     * none does. */
+    /** The rounding of forces at all dofs where springs carry bodies along;
+     * empty where none does. */
     Eigen::VectorXd
     of_springs(const Finding &out) const;
     /** Finds bodies on which nothing acts but rounding; false if there are
@@ -53,7 +53,7 @@ namespace conetact::verification
     restore(const Archive &archive);
 
   private:
-    /** Of what supports carry along, at all dofs. */
+    /** The rounding of forces at all dofs in what supports carry along. */
     Eigen::VectorXd
     of_supports(const double t) const;
     /** Forces that it takes to round such ways of bodies, of all dofs. */
