@@ -15,7 +15,11 @@ namespace conetact::iterative
   {
     using Eigen::Index;
 
-    /** Where the unknowns of an element are. */
+    /**
+     * Where the unknowns of an element are. Most elements bring all unknowns of
+     * their nodes in order, and are added block by block; those with a node of
+     * which some unknowns are missing are added number by number.
+     */
     template <int block>
     struct ElementNodes
     {
@@ -70,7 +74,8 @@ namespace conetact::iterative
     /**
      * Rows of own nodes, to which elements add one by one. A row is handed on
      * as soon as the last element of its node has come, so that few are open at
-     * a time.
+     * a time: those of a front through the mesh, if elements come in its order.
+     * To keep all rows open would take the memory that equal rows save.
      */
     template <int block>
     class OpenRows
@@ -115,7 +120,8 @@ namespace conetact::iterative
           }
       }
 
-      /** The same for nodes without elements. */
+      /** The same for nodes without elements: a diagonal block of zeros, for
+       * each row has its diagonal (BlockSystem::diagonal_block()). */
       template <typename Take>
       void
       finish(const Take &take)
@@ -132,7 +138,7 @@ namespace conetact::iterative
       }
 
     private:
-      static constexpr int none = -1, gone = -2;
+      static constexpr int none = -1, gone = -2; ///< places of no row
 
       /* One triangle of the matrix, so that the sum is symmetric to the last
          bit. */
@@ -204,7 +210,8 @@ namespace conetact::iterative
       std::vector<std::size_t> blocks; ///< of a row, one for each node
     };
 
-    /** Elements in places, those that have some of this process. */
+    /** Elements in places, those that have some of this process. They are
+     * gone through twice: first without matrices, to count those of nodes. */
     class PlacedElements
     {
     public:
@@ -286,6 +293,9 @@ namespace conetact::iterative
 
 
 
+  /* Rows come in the order in which they are complete, `number` says which each
+     one is. Elements at the border are looked at by all processes that have
+     nodes of them: no sums are sent. */
   template <int block>
   BlockMatrix<block, block, double>
   rows_of_elements(const Elements         &elements,

@@ -17,7 +17,7 @@
 
 namespace conetact::iterative
 {
-  /* Each has more than needs no levels. */
+  /* Shares of a size that is solved directly are not worth messages. */
   int
   useful_processes(const Eigen::Index n_unknowns)
   {
@@ -38,8 +38,8 @@ namespace conetact::iterative
       std::vector<int> first; ///< of each process, and behind the last one
     };
 
-    /** What elements bring to the rows of nodes; each process looks at those of
-     * its share of nodes. */
+    /** Work of the rows of nodes: numbers that elements bring to them. Each
+     * process counts those of its share of nodes, as parts are not known yet. */
     Eigen::VectorXd
     work_of_nodes(const LargeStiffness   &given,
                   const std::size_t       n_nodes,
@@ -79,7 +79,8 @@ namespace conetact::iterative
       return partition(weighed, processes.size());
     }
 
-    /** Nodes of each part in an order that serves products. */
+    /** Nodes of each part along lines of a regular mesh: neighbours in this
+     * order have rows of the same numbers, which RowRuns multiplies at once. */
     std::vector<std::vector<int>>
     sort_nodes(const LargeStiffness            &given,
                const std::vector<unsigned int> &nodes,
@@ -109,7 +110,7 @@ namespace conetact::iterative
       std::vector<int>          of_unknown; ///< of each unknown
     };
 
-    /* Numbers are dense enough for a table. */
+    /* Numbers are dense enough for a table, which is faster than a map. */
     NumberedNodes
     number_nodes(const std::vector<unsigned int> &node_of)
     {
@@ -132,6 +133,9 @@ namespace conetact::iterative
       return nodes;
     }
 
+    /* Each node has `block` places in its row, the first of which its unknowns
+       take as they come. Where some are missing, as in supports, places stay
+       empty: blocks of one size are worth that. */
     Places
     find_places(const LargeStiffness &given,
                 const int             block,
@@ -157,7 +161,8 @@ namespace conetact::iterative
       return places;
     }
 
-    /** All of the team, or each process by itself for what is small. */
+    /** All of the team, or each process by itself for what is small: it does
+     * the same as all others then, for less than messages cost. */
     Communicator
     processes_of(const LargeStiffness &given)
     {
@@ -220,6 +225,7 @@ namespace conetact::iterative
       {
         return make(part(x) + factor * part(y));
       }
+      /* Sums go from one place of contact to the next: no copy is made. */
       double
       product_elsewhere(const Kept &x, const Kept &y) const override
       {
@@ -255,7 +261,9 @@ namespace conetact::iterative
           for (const std::size_t i : own_nodes)
             own.push_back(laws[i]);
         auto step = system->solve(own, part(f), precision);
-        if (processes.size() == 1) // each has all of it
+        // Where each process has all of it, machines may have rounded in other
+        // ways; decisions of Newton's method must be the same on all.
+        if (processes.size() == 1)
           team().broadcast(step.du);
         if (processes.sum(step.du.allFinite() ? 0. : 1.) > 0)
           return {};
@@ -296,8 +304,9 @@ namespace conetact::iterative
         return all(places.of);
       }
 
-      /** Which unknowns of contact are this process's, and the order of all:
-       * each process has its nodes in that. */
+      /** Which unknowns of contact are this process's, and where those of all
+       * stand once they are gathered, process by process. Laws are of nodes, so
+       * that a node's unknowns have one owner. */
       void
       take_contact(const LargeStiffness &given)
       {

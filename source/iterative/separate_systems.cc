@@ -28,6 +28,10 @@ namespace conetact::iterative
       std::vector<solvers::LargeSystem::Kept> of;
     };
 
+    /**
+     * As no element has nodes of two parts, K = diag(K_1, K_2), and as a law is
+     * that of one node, P + D K has the same blocks: each part solves its own.
+     */
     class SeparateSystems : public solvers::LargeSystem
     {
     public:
@@ -59,6 +63,8 @@ namespace conetact::iterative
           all(parts[i].unknowns) = parts[i].system->numbers(in_part(x, i));
         return all;
       }
+      /* Parts keep the order of all unknowns: those of contact are the last
+         ones of each, too. */
       Array
       of_contact(const Kept &x) const override
       {
@@ -153,7 +159,11 @@ namespace conetact::iterative
     /** Numbers of unknowns in a part, -1 in others. */
     using PartNumbers = std::shared_ptr<const std::vector<Index>>;
 
-    /** Those whose unknowns are in a part; none are in two. */
+    /**
+     * Those whose unknowns are in a part; none are in two, or their matrices
+     * would have rows that the part has not. Nothing is copied: elements are
+     * visited as all are, and renumbered on the way.
+     */
     Elements
     part_of(const Elements &elements, const PartNumbers &number)
     {
