@@ -39,7 +39,7 @@ namespace conetact::iterative
     };
 
     /** Work of the rows of nodes: numbers that elements bring to them. Each
-     * process counts those of its share of nodes, as parts are not known yet. */
+     * process counts for a share of nodes, as parts are not known yet. */
     Eigen::VectorXd
     work_of_nodes(const LargeStiffness   &given,
                   const std::size_t       n_nodes,

@@ -92,6 +92,9 @@ namespace conetact::solvers
 
 
 
+  /* Parts are halves to begin with, a quarter of one that fails, twice the size
+     of one that is solved. The law knows its path: the end is not that of one
+     step, which the report's substeps tell. */
   SolverReport
   solve_in_parts(const LoadParts      &parts,
                  const ContactProblem &problem,

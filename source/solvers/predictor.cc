@@ -35,6 +35,8 @@ namespace conetact::solvers
 
 
 
+  /* Numbers are compared to the last bit: a state that anything has touched
+     since is not the one that was remembered. */
   bool
   Predictor::goes_on(const ContactState &start) const
   {
