@@ -228,7 +228,7 @@ namespace conetact::iterative
     return matrix;
   }
 
-  /* Of what is free; zero elsewhere. */
+  /* It inverts A_ii + S among free unknowns, and is zero elsewhere. */
   template <int block>
   typename BlockSystem<block>::FloatBlock
   BlockSystem<block>::inverse_block(const int         i,
@@ -400,6 +400,8 @@ namespace conetact::iterative
     y.array() *= system.free.template cast<Number>().array();
   }
 
+  /* A V-cycle for the symmetric part of the laws, without Q: GMRES makes up for
+     the rest. */
   template <int block>
   void
   BlockSystem<block>::precondition(const System      &system,

@@ -12,7 +12,8 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Pairs of all processes, each once, in ascending order. */
+    /** Pairs of all processes, each once, in ascending order; sorted before
+     * they are sent, as most of them come many times. */
     std::vector<std::pair<int, int>>
     gather_pairs(std::vector<std::pair<int, int>> pairs,
                  const Communicator              &processes)

@@ -31,7 +31,7 @@ namespace conetact::iterative
       const std::size_t size = unknowns.size();
       for (std::size_t a = 0; a < size; ++a)
         for (std::size_t b = 0; b < size; ++b)
-          // one triangle of it, so that the sum is symmetric to the last bit
+          // One triangle is read, so that sums are symmetric to the last bit.
           entries.emplace_back(static_cast<int>(unknowns[a]),
                                static_cast<int>(unknowns[b]),
                                matrix[std::max(a, b) * size + std::min(a, b)]);

@@ -83,7 +83,7 @@ namespace conetact::iterative
     public:
       using Row = GrowingRow<block, block>;
 
-      /** Of nodes first_node, ...: how many elements each has. */
+      /** The nodes are first_node, ..., each of which has so many elements. */
       OpenRows(std::vector<int> elements_of_nodes, const int first_node)
         : first(first_node)
         , left(std::move(elements_of_nodes))
@@ -201,11 +201,11 @@ namespace conetact::iterative
       }
 
       const int        first;
-      std::vector<int> left;  ///< elements of each node that come yet
-      std::vector<int> place; ///< of its row
+      std::vector<int> left;  ///< elements that each node waits for
+      std::vector<int> place; ///< of each node's row
       std::vector<Row> rows;
-      std::vector<int> unused; ///< of them
-      // of an element
+      std::vector<int> unused; ///< places of rows
+      // The element at hand:
       ElementNodes<block>      element;
       std::vector<std::size_t> blocks; ///< of a row, one for each node
     };
@@ -235,7 +235,7 @@ namespace conetact::iterative
               visit(own, matrix);
           });
       }
-      /** Of own nodes. */
+      /** Counts the elements of each own node. */
       template <int block>
       std::vector<int>
       elements_of_nodes() const
@@ -270,7 +270,7 @@ namespace conetact::iterative
       {
         return place >= begin && place < end;
       }
-      /** Whether some are own. */
+      /** Finds the places of all unknowns of an element; true if one is own. */
       bool
       find_places(const std::vector<Index> &unknowns,
                   std::vector<int>         &found) const

@@ -94,7 +94,7 @@ namespace conetact::iterative
      A Z = V H with z_k = M v_k, H of Hessenberg's form, v_0 = b, |b| = 1; then
      x = Z y, y = argmin |e_0 - H y|. Rotations keep H triangular, and |g(k)| is
      what is left of b after k steps, without a product more. Z is kept as the
-     preconditioner may vary: 2 x 40 + 1 float vectors, 324 bytes an unknown.
+     preconditioner may vary: 2 x 40 + 2 float vectors, 328 bytes an unknown.
      H and g are small and in double precision. */
   FloatVector
   FlexibleGmres::solve(const FloatVector &b,

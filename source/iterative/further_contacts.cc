@@ -273,8 +273,8 @@ namespace conetact::iterative
       return result;
     }
 
-    /* What r changes of u: K du = H^T r - f elsewhere, and the laws of the
-       other contacts, which are those of their reactions K du - H^T r:
+    /* The change of u that r makes: K du = H^T r - f elsewhere, and the laws of
+       the other contacts, which are those of their reactions K du - H^T r:
        P du + D (K du) = h + D H^T r. Without loads, h = 0 and f = 0: the answer
        is linear in r, and its precision has no force to refer to. */
     solvers::LargeSystem::Kept
@@ -330,11 +330,11 @@ namespace conetact::iterative
       return result;
     }
 
-    /* By GMRES, in single precision, which gains some digits at a time: its
-       matrix is r -> P H u(r) + D r, each product a solution of the system.
-       What the result changes of u needs none more: by linearity it is made of
-       the answers that were asked for, which are kept, a vector of all unknowns
-       for each iteration of a cycle. */
+    /* GMRES in single precision gains some digits at a time. Its matrix is r ->
+       P H u(r) + D r, each product a solution of the system. What the result
+       changes of u needs none more: by linearity it is made of the answers that
+       were asked for, which are kept, a vector of all unknowns for each
+       iteration of a cycle. */
     solvers::LargeSystem::Kept
     WithFurtherContacts::find_reactions(Newton &newton, Array &r) const
     {

@@ -61,7 +61,8 @@ namespace conetact::iterative
       return processes.gather_all(work);
     }
 
-    /** Nodes of each process, which have about the same work. */
+    /** The process of each node: nodes of all have about the same work, which
+     * grows with the elements at a node, not with nodes. */
     std::vector<int>
     parts_of_nodes(const LargeStiffness            &given,
                    const std::vector<unsigned int> &nodes,
@@ -196,6 +197,7 @@ namespace conetact::iterative
           rows_of_elements<block>(given.elements, places.of, begin, end);
         for (const std::size_t i : own_nodes)
           share.contact.push_back(own_contact_of(given.contact, i));
+        // What elements hold is given back before levels take their memory.
         given  = {};
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
@@ -241,6 +243,8 @@ namespace conetact::iterative
         add(a.size());
         return processes.sum(sum);
       }
+      /* Vectors of all unknowns are copied and sent as they come and go; K u is
+         made of parts, and only their borders are sent. */
       Kept
       multiply(const Kept &u) const override
       {
@@ -276,7 +280,7 @@ namespace conetact::iterative
       {
         return std::make_shared<solvers::LocalVector>(std::move(x));
       }
-      /** What this process has of a vector. */
+      /** The part of a vector that this process has. */
       static const Array &
       part(const Kept &x)
       {
@@ -333,7 +337,7 @@ namespace conetact::iterative
         ascending_contact = contact;
         std::sort(ascending_contact.begin(), ascending_contact.end());
       }
-      /** Of an unknown of contact. */
+      /** The place of unknown k of contact. */
       int
       place(const Index k) const
       {
@@ -388,8 +392,8 @@ namespace conetact::iterative
       std::size_t              contact_begin = 0;  ///< among unknowns
       std::vector<std::size_t> own_nodes;          ///< of contact
       std::vector<int> contact, ascending_contact; ///< their places among own
-      /** Of each unknown of contact, among those of all processes one behind
-       * the other. */
+      /** Where each unknown of contact stands among those of all processes, one
+       * behind the other. */
       std::vector<int>                          contact_order;
       std::unique_ptr<const BlockSystem<block>> system;
     };

@@ -81,7 +81,7 @@ namespace conetact::iterative
         .template cast<float>();
     }
 
-    /** Inverse diagonal blocks of a matrix. */
+    /** The inverse diagonal blocks of a matrix. */
     template <int size>
     NodeBlocks<size>
     inverse_diagonal(const BlockMatrix<size, size, float> &A)
@@ -308,7 +308,8 @@ namespace conetact::iterative
 
 
 
-  /* What each process has of the residual makes a part of the whole. */
+  /* Each process has a part of the residual, and so of the sums on the first
+     level that is whole. */
   template <int fine, int coarse>
   template <typename Matrix>
   void

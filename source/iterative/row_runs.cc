@@ -116,7 +116,8 @@ namespace conetact::iterative
           parts[static_cast<std::size_t>(c) * n + i] = *x++;
     }
 
-    /** Of all runs that are wide; `parts` is room for what x is made of. */
+    /** Multiplies all runs that are wide; `parts` is room for x taken apart,
+     * which costs one pass over x. */
     template <int block, typename Number, int bytes, int most_strips>
     [[gnu::always_inline]] inline void
     multiply_runs(const std::vector<RowRun<Number>> &runs,

@@ -15,14 +15,15 @@ namespace conetact::iterative
     using Eigen::Index;
     using solvers::NodeLaw;
 
-    /** Of the unknowns and contact nodes of all, those of one system. */
+    /** One of the systems, and which of all unknowns and contact nodes it has.
+     */
     struct Part
     {
       std::vector<Index>                          unknowns, nodes;
       std::shared_ptr<const solvers::LargeSystem> system;
     };
 
-    /** What the systems have of it, in their order. */
+    /** A vector as the systems have it, in their order. */
     struct Vectors : solvers::LargeVector
     {
       std::vector<solvers::LargeSystem::Kept> of;
@@ -199,7 +200,8 @@ namespace conetact::iterative
       return part;
     }
 
-    /** What `given` has of the unknowns and contact nodes of a part. */
+    /** The part of `given` that has the unknowns and contact nodes of `part`.
+     */
     LargeStiffness
     part_of(const LargeStiffness &given, const Part &part)
     {
@@ -228,6 +230,8 @@ namespace conetact::iterative
 
 
 
+  /* The part that is factorised comes first, where both have unknowns: an order
+     that keep() and all other functions of the system share. */
   std::shared_ptr<const solvers::LargeSystem>
   make_separate_systems(LargeStiffness              &&given,
                         const std::set<unsigned int> &direct,

@@ -85,7 +85,7 @@ namespace conetact::iterative
       return static_cast<float>(std::round(x / quantum) * quantum);
     }
 
-    /** Of aggregates, from that of their nodes. */
+    /** An aggregate has the side of its nodes, which are all on one. */
     std::vector<int>
     sides_of(const std::vector<int> &aggregate_of,
              const int               n_aggregates,
@@ -103,7 +103,11 @@ namespace conetact::iterative
       return !side.empty() && side[i] < 0;
     }
 
-    /** Modes of each aggregate, orthogonal; and what they are made of. */
+    /**
+     * The tentative prolongator T: orthogonal modes of each aggregate, in one
+     * block for each node; and what they are made of. Aggregates with fewer
+     * motions than modes keep columns of zeros, so that blocks are of one size.
+     */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
     orthogonal_modes(const std::vector<int> &aggregate_of,
@@ -136,6 +140,7 @@ namespace conetact::iterative
               T.column[at(own[k])] = begin + a;
               T.block(at(own[k])) =
                 Q.middleRows<size>(Eigen::Index(k) * size).unaryExpr(&rounded);
+              // No mode moves it: the column of its unknown is made by hand.
               if (is_alone(at(own[k]), above.side))
                 T.block(at(own[k]))(0, 0) = 1;
             }
@@ -278,7 +283,8 @@ namespace conetact::iterative
         if (processes.size() > 1)
           exchange_columns();
       }
-      /** Of own aggregates, from those who add to their rows. */
+      /** Own aggregates learn their columns from those who add to their rows.
+       */
       void
       exchange_columns()
       {
@@ -396,7 +402,7 @@ namespace conetact::iterative
       Sums                          sums;
     };
 
-    /** Own rows of P^T A P. */
+    /** Own rows of P^T A P, for which P has rows of others for a while. */
     template <int size, int coarse>
     BlockMatrix<coarse, coarse, double>
     project(const LevelAbove<size>           &above,

@@ -94,7 +94,7 @@ namespace conetact::iterative
 
 
 
-  /* What is held keeps a diagonal of one, and nothing else; its zeros stay in
+  /* Held unknowns keep a diagonal of one, and nothing else; their zeros stay in
      the pattern. Where a matrix has no factor the smoother of single nodes
      remains as it is: apply() does nothing then. */
   template <int block>

@@ -102,7 +102,7 @@ namespace conetact::iterative
         }
     }
 
-    /** What is held has but the diagonal in its row and its column: one, the
+    /** Held unknowns have but the diagonal in their rows and columns: one, the
      * size of all others, since A is K over its mean diagonal. */
     void
     write(const std::vector<NodeState<block>> &states)

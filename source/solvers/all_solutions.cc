@@ -20,7 +20,7 @@ namespace conetact::solvers
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** What a node is taken for; slips by the sign of their du_t. */
+    /** A node is taken for one of these; slips go by the sign of du_t. */
     enum class Choice
     {
       any,
@@ -292,7 +292,8 @@ namespace conetact::solvers
       }
 
       /** The node that is to be one of its states next: the worst, or the
-       * first of those that are fine. */
+       * first of those that are fine, since each of these may have other states
+       * at other reactions. None is left once all are chosen. */
       Index
       next(const Choices &choices, const VectorXd &r) const
       {

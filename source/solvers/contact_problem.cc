@@ -97,7 +97,7 @@ namespace conetact::solvers
       return multiply(system, u) - problem.load;
     }
 
-    /** Whether friction is at its limit. It is asked for where layers give way:
+    /** True if friction is at its limit. It is asked for where layers give way:
      * what they take of a slip is known to rounding only, and leaves no zero.
      */
     bool
@@ -131,7 +131,7 @@ namespace conetact::solvers
       return residual;
     }
 
-    /** At v, as the law sees it, and pressed by s. */
+    /** The ellipse of node i at v, as the law sees it, and pressed by s. */
     Aspect
     aspect_of(const ContactProblem &problem,
               const Index           i,

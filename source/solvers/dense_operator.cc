@@ -125,8 +125,9 @@ namespace conetact::solvers
 
 
 
-  /* What Newton's method gains anyway, or what is left to gain if that is less.
-   */
+  /* A step squares the residual, so that a tenth of it is exact enough for the
+     next linear system, and so is what takes it below the goal; two digits are
+     the least. */
   double
   DenseOperator::precision(const NewtonPoint    &point,
                            const NewtonProgress &progress) const

@@ -152,6 +152,7 @@ namespace conetact::solvers
                                  Array::Zero(scale.size());
     if (stiffness())
       scaled_load = -scaled_load;
+    // Forces are f in stiffness form, b in the other; q is a displacement.
     load_force = stiffness() ? scaled_load.norm() : scaled_load.tail(k).norm();
     if (n > 0)
       {
@@ -241,6 +242,7 @@ namespace conetact::solvers
 
 
 
+  /* s = r_n + b(|v_t|, g), which stands in place of r_n in all of the law. */
   LinearRelation::Array
   LinearRelation::add_bonds(const Array &r, const Array &v) const
   {
@@ -343,6 +345,8 @@ namespace conetact::solvers
 
 
 
+  /* Displacements must not enter: they grow with the error where nothing holds
+     a body, and would hide it. */
   double
   LinearRelation::force_scale(const Array &p, const Array &d) const
   {
@@ -369,7 +373,8 @@ namespace conetact::solvers
       return;
 
     Array product = Array::Zero(sx.size());
-    // Most nodes stick or are open: then few columns count.
+    // Most nodes stick or are open: then few columns count, and those that do
+    // not are not read.
     if (2 * static_cast<Index>(columns.size()) > sx.size())
       product = multiply(*contact_system, sx);
     else

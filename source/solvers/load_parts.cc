@@ -24,8 +24,7 @@ namespace conetact::solvers
       return v;
     }
 
-    /** What the start of an increment and its end differ in: load and offset.
-     */
+    /** Load and offset at the end of an increment less those at its start. */
     struct Change
     {
       VectorXd of_load, of_offset;

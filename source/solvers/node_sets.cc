@@ -48,7 +48,8 @@ namespace conetact::solvers
       const VectorXd &r;
     };
 
-    /** At v, as the law sees it, and pressed by s. */
+    /** The limit of friction of node i at v, as the law sees it, pressed by s.
+     */
     FrictionLimit
     limit_at(const LinearRelation &relation,
              const Index           i,
@@ -149,7 +150,8 @@ namespace conetact::solvers
           }
     }
 
-    /** Whether friction along a direction counts. */
+    /** True of a node in space that slips along a known direction, whose
+     * friction turns with the slip. */
     bool
     turns(const NodeSet &set)
     {

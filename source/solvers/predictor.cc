@@ -28,7 +28,7 @@ namespace conetact::solvers
   Predictor::turns(const ContactState    &start,
                    const Eigen::VectorXd &change) const
   {
-    constexpr double cosine = .5; // of the largest angle that is none
+    constexpr double cosine = .5; // A load that turns by less goes on.
     return goes_on(start) && change.dot(last_change) <
                                cosine * change.norm() * last_change.norm();
   }

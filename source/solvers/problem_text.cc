@@ -107,7 +107,7 @@ namespace conetact::solvers
       return blocks;
     }
 
-    /** Of that size, or nothing where it may be missing. */
+    /** Takes a block of that size; without rows where it may be missing. */
     MatrixXd
     take(Blocks            &blocks,
          const std::string &name,

@@ -60,7 +60,7 @@ namespace conetact::solvers
 
 
 
-    /** The same on r_n >= 0, |r_t| <= radius. */
+    /** Projection on r_n >= 0, |r_t| <= radius, and its derivative. */
     void
     project_on_disc(const SmallVector &x,
                     const double       radius,

@@ -117,7 +117,7 @@ namespace conetact::solvers
 
 
 
-    /* From the best state so far. */
+    /* Sweeps from the best state so far; their result is polished. */
     bool
     RedundantContacts::relax(const unsigned int sweeps)
     {

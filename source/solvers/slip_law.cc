@@ -106,8 +106,8 @@ namespace conetact::solvers
     return law;
   }
 
-  /* Of v' = S v and r' = r / S with S = diag(a, 1/a, 1), and a changes with
-     both. */
+  /* The law is one of v' = S v and r' = r / S with S = diag(a, 1/a, 1), where a
+     changes with both: dv' = S dv + S' v da, dr' = dr / S - S' r / S^2 da. */
   void
   see_stretched(const Aspect      &aspect,
                 const SmallVector &v,

@@ -54,7 +54,8 @@ namespace conetact::solvers
     }
 
     /** A start in which nodes have these states; in the plane those that slip
-     * do so along `sign`. */
+     * do so along `sign`. Reactions and slips are of the size of the
+     * solution's, as directions of slip are read off r - v. */
     ContactState
     start_with(const ContactProblem         &problem,
                const ContactState           &solution,
@@ -223,7 +224,7 @@ namespace conetact::solvers
   {
     constexpr double exact = 1e-4;
     const MatrixXd   W = K.llt().solve(MatrixXd::Identity(K.rows(), K.rows()));
-    VectorXd         alone(system->n_nodes()); // best for nodes of their own
+    VectorXd         alone(system->n_nodes()); // Best where nodes are alone.
     for (Index i = 0; i < alone.size(); ++i)
       {
         const Index first = system->first[i], n = system->normal(i);

@@ -15,7 +15,8 @@ namespace conetact::solvers
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** Of the largest interference: what is less is rounding. */
+    /** An interference of less than this part of the largest gap is rounding.
+     */
     constexpr double rounding = 1e-14;
   } // namespace
 
