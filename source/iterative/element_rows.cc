@@ -16,9 +16,10 @@ namespace conetact::iterative
     using Eigen::Index;
 
     /**
-     * Where the unknowns of an element are. Most elements bring all unknowns of
-     * their nodes in order, and are added block by block; those with a node of
-     * which some unknowns are missing are added number by number.
+     * The nodes of an element, and where its unknowns are among them. Most
+     * elements bring all unknowns of their nodes in order, and are added block
+     * by block; those with a node of which some unknowns are missing are added
+     * number by number.
      */
     template <int block>
     struct ElementNodes

@@ -45,10 +45,10 @@ namespace conetact::iterative
 
 
 
-  /* Alone: by the modified way of Gram and Schmidt, one vector after the other.
-     Each of its k products would be a message. Several processes take the
-     classical way, all products at once, and take it twice, as once is not
-     exact enough: two messages. The norm needs no third one: with orthonormal
+  /* A process that is alone goes the modified way of Gram and Schmidt, one
+     vector after the other. Each of its products would be a message: several
+     processes go the classical way, all products at once, and go it twice, as
+     once is not exact enough. The norm needs no third message: with orthonormal
      V, |w - V p|^2 = |w|^2 - |p|^2, where p of the second pass is so small that
      no digits are lost. */
   double

@@ -134,9 +134,9 @@ namespace conetact::iterative
       return nodes;
     }
 
-    /* Each node has `block` places in its row, the first of which its unknowns
-       take as they come. Where some are missing, as in supports, places stay
-       empty: blocks of one size are worth that. */
+    /* Each node has `block` places, of which its unknowns take the first ones
+       as they come. Where some are missing, as in supports, places stay empty:
+       blocks of one size are worth that. */
     Places
     find_places(const LargeStiffness &given,
                 const int             block,
@@ -197,7 +197,7 @@ namespace conetact::iterative
           rows_of_elements<block>(given.elements, places.of, begin, end);
         for (const std::size_t i : own_nodes)
           share.contact.push_back(own_contact_of(given.contact, i));
-        // What elements hold is given back before levels take their memory.
+        // Elements give their memory back before levels take theirs.
         given  = {};
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
@@ -308,9 +308,9 @@ namespace conetact::iterative
         return all(places.of);
       }
 
-      /** Which unknowns of contact are this process's, and where those of all
-       * stand once they are gathered, process by process. Laws are of nodes, so
-       * that a node's unknowns have one owner. */
+      /** Finds the unknowns of contact that are this process's, and where those
+       * of all stand once they are gathered, process by process. All unknowns
+       * of a node have one owner, as its law mixes them. */
       void
       take_contact(const LargeStiffness &given)
       {

@@ -17,10 +17,10 @@ namespace conetact::iterative
   namespace
   {
     /**
-     * A mode of an aggregate counts as spanned by those before it if so much of
-     * it is left. A turn about an origin at the distance L leaves h / L of
-     * itself where h is the size of the aggregate: far more than this; rounding
-     * leaves 1e-16.
+     * A mode of an aggregate counts as spanned by those before it if no more
+     * than this part of it is left. A turn about an origin at the distance L
+     * leaves h / L of itself, h the size of the aggregate, which is far more;
+     * rounding leaves 1e-16.
      */
     constexpr double same = 1e-7;
 

@@ -38,8 +38,8 @@ namespace conetact::solvers
     }
 
     /** v = W r + q, over units that make both of the size of one, so that
-     * absolute tolerances may be used below. K is inverted: its problems have a
-     * hundred unknowns at most. */
+     * absolute tolerances may be used below. K is inverted, which costs n^3:
+     * has_finite_solutions() lets a hundred unknowns pass. */
     struct Relation
     {
       const ContactSystem &system;

@@ -225,8 +225,8 @@ namespace conetact::solvers
 
 
 
-  /* What a solution in single precision leaves is no loss: the next step of
-     Newton's method begins with the residual in double precision. */
+  /* A solution in single precision is good enough: the next step of Newton's
+     method begins with the residual in double precision. */
   bool
   NewtonSystem::solve_with_reuse(const LinearRelation       &relation,
                                  const std::vector<NodeLaw> &laws,

@@ -431,7 +431,7 @@ namespace conetact::solvers
         const NodeState node = sets[at(i)].state;
         if (node != NodeState::open && relation.has_layers() &&
             !relation.layer(i, r(first + nt), 0).is_none())
-          continue; // What vanishes is v with its layer, not v itself.
+          continue; // Zero is v with its layer, not v itself.
         if (sets[at(i)].is_lifted ||
             (relation.is_bonded(i) && node == NodeState::open &&
              relation
@@ -439,7 +439,7 @@ namespace conetact::solvers
                        v.segment(first, nt).norm(),
                        std::max(v(first + nt), 0.))
                  .value != 0))
-          continue; // What vanishes is r with its bond, not r itself.
+          continue; // Zero is r with its bond, not r itself.
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else

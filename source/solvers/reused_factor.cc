@@ -103,9 +103,9 @@ namespace conetact::solvers
 
 
 
-  /* The factor is that of unknowns of the earlier matrix, which may have more
-     and may lack some: a solution for all of those, of which the present ones
-     are taken. */
+  /* The earlier matrix may have had unknowns that are gone, and lacked some of
+     the present ones: its factor solves for all of its own, of which those that
+     are left are taken. */
   ReusedFactor::Vector
   ReusedFactor::precondition(const Vector &b) const
   {
