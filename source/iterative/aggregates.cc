@@ -17,13 +17,24 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Over the geometric mean of the diagonal blocks of two nodes: below it
-     * they are not neighbours, such as those of a hard and a soft body. */
+    /**
+     * Two nodes are neighbours if their block is at least this much of the
+     * geometric mean of their diagonal blocks,
+     * @f$|A_{ij}| \ge weak \sqrt{|A_{ii}| |A_{jj}|}@f$ in Frobenius' norm.
+     * Where a hard body meets a soft one this fails from a contrast of about
+     * weak^-2 = 2500 on: in an aggregate across them the motions of the soft
+     * one would have the energy of the hard one.
+     */
     constexpr double weak = .02;
   } // namespace
 
 
 
+  /* The passes are those of Vanek, Mandel and Brezina. The second one counts
+     votes of what the first one has made: nodes that it gives away itself must
+     not draw others, or aggregates would grow along the order of nodes.
+     Aggregates end at the border of a process, so that no messages are needed
+     to make them; work grows with the number of blocks. */
   template <int size>
   std::vector<int>
   aggregates(const DistributedMatrix<size, size, double> &A,
@@ -40,6 +51,8 @@ namespace conetact::iterative
         if (j == i)
           least[i] = weak * block.norm();
       });
+    // Nodes of different sides may be tied by a stiff block, and still must not
+    // move as one.
     const auto together = [&](const int i, const int j) {
       return i == j || side.empty() ||
              (side[at(i)] == side[at(j)] && side[at(i)] >= 0);

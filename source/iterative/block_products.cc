@@ -7,6 +7,13 @@ namespace conetact::iterative
 {
   namespace
   {
+    /**
+     * A block times its part of x is the sum of its columns, each times one
+     * number of x: a column fills a vector of the processor, which has no sums
+     * across it then. Memory sets the pace: each number of A is read once. It
+     * is inline by force, since an instance for some processor must not call
+     * code that was compiled for all.
+     */
     template <int n_rows, int n_columns, typename Number>
     [[gnu::always_inline]] inline void
     multiply_all(const BlockRows<Number> &A, const Number *x, Number *y)
@@ -21,7 +28,8 @@ namespace conetact::iterative
           const Number *a =
             A.value +
             (A.first == nullptr ? A.start[i] * block_size : A.first[i]);
-          // a sum for each column of blocks: none waits for another
+          // Each column of blocks has a sum of its own, so that none waits for
+          // another; they are added pairwise in the end.
           Lanes sum[n_columns];
 #pragma GCC unroll 8
           for (int c = 0; c < n_columns; ++c)
@@ -38,8 +46,9 @@ namespace conetact::iterative
           for (int c = n_columns - 1; c > 0; --c)
             sum[(c - 1) / 2] += sum[c];
           Number *const out = y + i * n_rows;
+          // Spare numbers belong to the next row, which is written after this
+          // one; behind the last row nothing may be touched.
           if (i + 1 < A.end)
-            // what is too much belongs to the next row
             *reinterpret_cast<Anywhere *>(out) = sum[0];
           else
             for (int r = 0; r < n_rows; ++r)
@@ -67,6 +76,11 @@ namespace conetact::iterative
     }
 #endif
 
+    /**
+     * The choice is made as the program runs, as it may have been built on
+     * another machine. Fused products round once, not twice: results differ in
+     * their last bits between machines.
+     */
     template <int n_rows, int n_columns, typename Number>
     MultiplyRows<Number> *
     choose_multiply()

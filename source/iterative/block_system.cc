@@ -22,7 +22,8 @@ namespace conetact::iterative
     using solvers::SmallMatrix;
     using solvers::SmallVector;
 
-    // A cycle in single precision gains so much at a time.
+    // Ten cycles of GMRES; each aims at four digits, where single precision
+    // still has some to spare: what it leaves begins the next cycle.
     constexpr auto   most_iterations = 400u;
     constexpr double digits          = 1e-4;
   } // namespace
@@ -108,6 +109,8 @@ namespace conetact::iterative
     return d;
   }
 
+  /* The mean of the diagonal, as a power of two: K over it has the same digits,
+     about one as its size and thus room for single precision. */
   template <int block>
   void
   BlockSystem<block>::find_scale()
@@ -124,8 +127,8 @@ namespace conetact::iterative
     runs_of_A = RowRuns<block, float>(A.own_part());
   }
 
-  /* Its bound serves all states: what is held makes the range of eigenvalues
-     smaller, and so does what is added to blocks as to their smoother. */
+  /* The bound of eigenvalues of D A serves all states: to hold unknowns makes
+     their range smaller, and so does what is added to both A and its blocks. */
   template <int block>
   void
   BlockSystem<block>::make_smoother(const std::vector<int> &surface_nodes)
@@ -138,7 +141,7 @@ namespace conetact::iterative
       {
         surface = std::make_unique<SurfaceSmoother<block>>(
           K, scale, surface_nodes, first_node[at(processes.rank())], processes);
-        // With open contacts a body may move as it likes.
+        // Contacts are held: with open ones a body may move as it likes.
         surface->factorize(without_contact(), surface->no_blocks());
       }
     const auto product = [&](const FloatVector &x, FloatVector &y) {
@@ -225,7 +228,7 @@ namespace conetact::iterative
     return matrix;
   }
 
-  /* Of what is free; zero elsewhere. */
+  /* It inverts A_ii + S among free unknowns, and is zero elsewhere. */
   template <int block>
   typename BlockSystem<block>::FloatBlock
   BlockSystem<block>::inverse_block(const int         i,
@@ -250,8 +253,9 @@ namespace conetact::iterative
     return inverse;
   }
 
-  /* Rows with D = 0 say what an unknown is; of the others, (P + D K) du = h,
-     D is made one. */
+  /* The law P du + D (K du) = h of unknowns u that stay, over D_uu, is
+     (K du)_u + S du_u + Q (K du)_k = h', S = D_uu^-1 P_uu, Q = D_uu^-1 D_uk: a
+     row of K as all others. Of held unknowns k, y has what they do: K du_k. */
   template <int block>
   void
   BlockSystem<block>::add_node(const std::size_t i,
@@ -309,6 +313,7 @@ namespace conetact::iterative
       for (Index k = 0; k < laws[i].h.size(); ++k)
         if (const NodeLaw &law = laws[i]; law.d.row(k).isZero(0))
           {
+            // Such a law says what one unknown is: row k of P is diagonal.
             const int p     = contact[i][at(k)];
             system.free[p]  = 0;
             system.known[p] = law.h(k) / law.p(k, k);
@@ -338,7 +343,8 @@ namespace conetact::iterative
       }
     for (const NodeRows &rows : system.rows)
       {
-        // Only its symmetric part makes a smoother, and if it is positive.
+        // Friction makes S unsymmetric, maybe indefinite. Smoother and levels
+        // are those of symmetric positive matrices: they get that part of S.
         const Eigen::SelfAdjointEigenSolver<SmallMatrix> eigen(
           .5 * (rows.S + rows.S.transpose()));
         const SmallMatrix positive =
@@ -368,7 +374,8 @@ namespace conetact::iterative
       levels->set_states(states, is_hard);
   }
 
-  /* y_u += S x_u + Q y_k, and nothing where unknowns are held. */
+  /* y = K x becomes y_u + S x_u + Q y_k; rows of held unknowns, whose y_k this
+     takes, become zero last. */
   template <int block>
   template <typename Vector>
   void
@@ -393,6 +400,8 @@ namespace conetact::iterative
     y.array() *= system.free.template cast<Number>().array();
   }
 
+  /* A V-cycle for the symmetric part of the laws, without Q: GMRES makes up for
+     the rest. */
   template <int block>
   void
   BlockSystem<block>::precondition(const System      &system,
@@ -416,7 +425,7 @@ namespace conetact::iterative
       [&](const FloatVector &r, const auto &prepare, const auto &use) {
         if (!surface)
           return D.for_products(r, prepare, use);
-        // as a whole: nodes of the surface are scaled together
+        // As a whole, not in pieces: nodes of the surface are solved together.
         FloatVector &z = vectors.scaled;
         z.resize(n);
         prepare(0, n);
@@ -438,8 +447,8 @@ namespace conetact::iterative
     smoother.smooth_last(b, r, result);
   }
 
-  /* Single precision gains some digits at a time, of what double precision
-     finds to be left. */
+  /* Iterative refinement: GMRES solves A x = r / |r| in single precision, the
+     residual is made in double precision, which decides what is accurate. */
   template <int block>
   typename BlockSystem<block>::Step
   BlockSystem<block>::solve(const std::vector<NodeLaw> &laws,
@@ -477,7 +486,7 @@ namespace conetact::iterative
         add_laws(system, 1., x, r);
         r    = system.right_hand_side - r;
         left = norm(r);
-        if (!(left < .5 * before)) // all there is to gain
+        if (!(left < .5 * before)) // rounding, or a hopeless system
           break;
       }
     result.du += x;

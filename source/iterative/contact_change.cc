@@ -12,7 +12,8 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Pairs of all processes, each once, in ascending order. */
+    /** Pairs of all processes, each once, in ascending order; sorted before
+     * they are sent, as most of them come many times. */
     std::vector<std::pair<int, int>>
     gather_pairs(std::vector<std::pair<int, int>> pairs,
                  const Communicator              &processes)
@@ -42,6 +43,10 @@ namespace conetact::iterative
 
 
 
+  /* Rows of P are fetched for the neighbours of contact nodes, for A P; kept
+     are those of contact nodes. P^T (A' - A) P can have blocks (a, b) and
+     (b, a) only where row i of P has a and row i of A P has b for some contact
+     node i: this pattern serves every state, and is found once. */
   template <int fine, int coarse>
   ContactChange<fine, coarse>::ContactChange(
     const DistributedMatrix<fine, fine, float>   &A,
@@ -81,6 +86,8 @@ namespace conetact::iterative
 
 
 
+  /* (A P)_i = sum_j A_ij P_j, with all contact nodes free: no state changes
+     it. */
   template <int fine, int coarse>
   void
   ContactChange<fine, coarse>::find_rows(
@@ -122,6 +129,9 @@ namespace conetact::iterative
 
 
 
+  /* The pattern of P^T C P, where C is the change of the level above. All
+     processes have the whole pattern above and all rows of P that it needs, and
+     so find the same without messages. */
   template <int fine, int coarse>
   void
   ContactChange<fine, coarse>::add_level(
@@ -156,9 +166,13 @@ namespace conetact::iterative
 
 
 
-  /* With G = 1 where unknowns are held, D the diagonal of A, S what is added:
-     A' - A = -G A - A G + G A G + G D + S, half of it here, Y = (A' - A) P of
-     rows of contact nodes, and its transposed in the end. */
+  /* G is a diagonal matrix, 1 where unknowns are held, D the diagonal of A, S
+     what laws add, symmetric. With A' = (1 - G) A (1 - G) + G D + S
+       A' - A = -G A - A G + G A G + G D + S = H + H^T,
+       H = -G A + (G A G + G D + S) / 2.
+     H has rows of contact nodes only: each process sums up P^T Y, Y = H P, of
+     its own ones, and the transposed of the sum is added last. Held unknowns
+     keep D, or coarse levels would see nothing that resists there. */
   template <int fine, int coarse>
   typename ContactChange<fine, coarse>::Rows
   ContactChange<fine, coarse>::first_level(
@@ -218,6 +232,7 @@ namespace conetact::iterative
           auto block = result.blocks.block(k);
           auto other =
             result.blocks.block(result.find(result.find(j), result.number[i]));
+          // The sum is made first: on the diagonal both are one block.
           const CoarseBlock sum = block + other.transpose();
           block                 = sum;
           other                 = sum.transpose();
@@ -227,6 +242,9 @@ namespace conetact::iterative
 
 
 
+  /* P^T C P from level to level: exactly what the coarse matrices of A' are
+     more than those of A, as maps do not depend on the state. Work and messages
+     grow with the contact surface, not with the body. */
   template <int fine, int coarse>
   std::vector<typename ContactChange<fine, coarse>::Rows>
   ContactChange<fine, coarse>::change(
@@ -239,7 +257,8 @@ namespace conetact::iterative
         const Rows                &above = result.back();
         Rows                       below = level.change;
         std::map<int, CoarseBlock> row;
-        // each process a part of the rows, as far apart as they come
+        // Rows are dealt out one by one, like cards: all processes have the
+        // whole of the level above, and about the same work with it.
         for (std::size_t i = at(processes.rank()); i < above.number.size();
              i += at(processes.size()))
           {

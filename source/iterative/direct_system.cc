@@ -31,7 +31,7 @@ namespace conetact::iterative
       const std::size_t size = unknowns.size();
       for (std::size_t a = 0; a < size; ++a)
         for (std::size_t b = 0; b < size; ++b)
-          // one triangle of it, so that the sum is symmetric to the last bit
+          // One triangle is read, so that sums are symmetric to the last bit.
           entries.emplace_back(static_cast<int>(unknowns[a]),
                                static_cast<int>(unknowns[b]),
                                matrix[std::max(a, b) * size + std::min(a, b)]);
@@ -41,7 +41,9 @@ namespace conetact::iterative
 
 
 
-  /* Equilibrium of what touches nothing, P + D K at contact nodes. */
+  /* Rows of K for unknowns that touch nothing, rows of P + D K for contact
+     nodes, so that D (K du) is made of whole rows of K. Friction makes the
+     matrix unsymmetric. */
   DirectSystem::Matrix
   DirectSystem::newton_matrix(const std::vector<solvers::NodeLaw> &laws) const
   {
@@ -77,6 +79,9 @@ namespace conetact::iterative
 
 
 
+  /* One step of iterative refinement takes away most of the rounding that the
+     factor of a slender frame has. Machines round differently: all processes
+     take the result of the first one. */
   std::optional<DirectSystem::Step>
   DirectSystem::solve(const std::vector<solvers::NodeLaw> &laws,
                       const Kept                          &f,
@@ -87,13 +92,14 @@ namespace conetact::iterative
     const Index begin  = n_unknowns() - layout.n_unknowns();
     for (std::size_t i = 0; i < laws.size(); ++i)
       b.segment(begin + layout.first[i], laws[i].h.size()) = laws[i].h;
-    // Laws are displacements or forces: rows of like size.
+    // Rows are forces, or displacements where a law says them: pivots can be
+    // compared once the largest entry of each is one.
     for (Index q = 0; q < n_unknowns(); ++q)
       {
         double largest = 0;
         for (Matrix::InnerIterator k(matrix, q); k; ++k)
           largest = std::max(largest, std::abs(k.value()));
-        if (largest == 0)
+        if (largest == 0) // nothing resists the unknown
           return {};
         matrix.row(q) /= largest;
         b[q] /= largest;

@@ -15,7 +15,12 @@ namespace conetact::iterative
   {
     using Eigen::Index;
 
-    /** Where the unknowns of an element are. */
+    /**
+     * The nodes of an element, and where its unknowns are among them. Most
+     * elements bring all unknowns of their nodes in order, and are added block
+     * by block; those with a node of which some unknowns are missing are added
+     * number by number.
+     */
     template <int block>
     struct ElementNodes
     {
@@ -70,7 +75,8 @@ namespace conetact::iterative
     /**
      * Rows of own nodes, to which elements add one by one. A row is handed on
      * as soon as the last element of its node has come, so that few are open at
-     * a time.
+     * a time: those of a front through the mesh, if elements come in its order.
+     * To keep all rows open would take the memory that equal rows save.
      */
     template <int block>
     class OpenRows
@@ -78,7 +84,7 @@ namespace conetact::iterative
     public:
       using Row = GrowingRow<block, block>;
 
-      /** Of nodes first_node, ...: how many elements each has. */
+      /** The nodes are first_node, ..., each of which has so many elements. */
       OpenRows(std::vector<int> elements_of_nodes, const int first_node)
         : first(first_node)
         , left(std::move(elements_of_nodes))
@@ -115,7 +121,8 @@ namespace conetact::iterative
           }
       }
 
-      /** The same for nodes without elements. */
+      /** The same for nodes without elements: a diagonal block of zeros, for
+       * each row has its diagonal (BlockSystem::diagonal_block()). */
       template <typename Take>
       void
       finish(const Take &take)
@@ -132,7 +139,7 @@ namespace conetact::iterative
       }
 
     private:
-      static constexpr int none = -1, gone = -2;
+      static constexpr int none = -1, gone = -2; ///< places of no row
 
       /* One triangle of the matrix, so that the sum is symmetric to the last
          bit. */
@@ -195,16 +202,17 @@ namespace conetact::iterative
       }
 
       const int        first;
-      std::vector<int> left;  ///< elements of each node that come yet
-      std::vector<int> place; ///< of its row
+      std::vector<int> left;  ///< elements that each node waits for
+      std::vector<int> place; ///< of each node's row
       std::vector<Row> rows;
-      std::vector<int> unused; ///< of them
-      // of an element
+      std::vector<int> unused; ///< places of rows
+      // The element at hand:
       ElementNodes<block>      element;
       std::vector<std::size_t> blocks; ///< of a row, one for each node
     };
 
-    /** Elements in places, those that have some of this process. */
+    /** Elements in places, those that have some of this process. They are
+     * gone through twice: first without matrices, to count those of nodes. */
     class PlacedElements
     {
     public:
@@ -228,7 +236,7 @@ namespace conetact::iterative
               visit(own, matrix);
           });
       }
-      /** Of own nodes. */
+      /** Counts the elements of each own node. */
       template <int block>
       std::vector<int>
       elements_of_nodes() const
@@ -263,7 +271,7 @@ namespace conetact::iterative
       {
         return place >= begin && place < end;
       }
-      /** Whether some are own. */
+      /** Finds the places of all unknowns of an element; true if one is own. */
       bool
       find_places(const std::vector<Index> &unknowns,
                   std::vector<int>         &found) const
@@ -286,6 +294,9 @@ namespace conetact::iterative
 
 
 
+  /* Rows come in the order in which they are complete, `number` says which each
+     one is. Elements at the border are looked at by all processes that have
+     nodes of them: no sums are sent. */
   template <int block>
   BlockMatrix<block, block, double>
   rows_of_elements(const Elements         &elements,

@@ -20,7 +20,8 @@ namespace conetact::iterative
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /** w -= c v, and (w, next) of what is left. */
+    /** w -= c v, and (w, next) of what is left. Both at once, piece by piece:
+     * w comes from the memory once, and sums in single precision are short. */
     double
     subtract_and_project(const double       c,
                          const FloatVector &v,
@@ -44,8 +45,12 @@ namespace conetact::iterative
 
 
 
-  /* One after the other, as Gram and Schmidt do it in the modified way; or all
-     at once, and once more for the sake of rounding: two messages. */
+  /* A process that is alone goes the modified way of Gram and Schmidt, one
+     vector after the other. Each of its products would be a message: several
+     processes go the classical way, all products at once, and go it twice, as
+     once is not exact enough. The norm needs no third message: with orthonormal
+     V, |w - V p|^2 = |w|^2 - |p|^2, where p of the second pass is so small that
+     no digits are lost. */
   double
   FlexibleGmres::orthogonalize(Eigen::Ref<VectorXd> along)
   {
@@ -85,6 +90,12 @@ namespace conetact::iterative
 
 
 
+  /* Flexible GMRES from x = 0 (Saad, SIAM J. Sci. Comput. 14 (1993) 461-469):
+     A Z = V H with z_k = M v_k, H of Hessenberg's form, v_0 = b, |b| = 1; then
+     x = Z y, y = argmin |e_0 - H y|. Rotations keep H triangular, and |g(k)| is
+     what is left of b after k steps, without a product more. Z is kept as the
+     preconditioner may vary: 2 x 40 + 2 float vectors, 328 bytes an unknown.
+     H and g are small and in double precision. */
   FloatVector
   FlexibleGmres::solve(const FloatVector &b,
                        const double       goal,
@@ -113,8 +124,9 @@ namespace conetact::iterative
         precondition(V[at(k)], z);
         multiply(z, w);
         H(k + 1, k) = orthogonalize(H.col(k).head(k + 1));
-        if (!std::isfinite(H(k + 1, k)))
+        if (!std::isfinite(H(k + 1, k))) // x is made of the steps before
           break;
+        // Zero is left of w where x is exact: g tells it in this very step.
         next(V, k + 1) = w / static_cast<float>(std::max(H(k + 1, k), 1e-30));
         for (Index i = 0; i < k; ++i)
           H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());

@@ -28,6 +28,8 @@ namespace conetact::iterative
     return unknowns;
   }
 
+  /* The order of all unknowns: the system's but for contact, reactions r of
+     further contacts (zero here), contact nodes as the layout numbers them. */
   VectorXd
   FurtherContacts::join(const VectorXd &u, const VectorXd &v) const
   {
@@ -76,9 +78,10 @@ namespace conetact::iterative
   namespace
   {
     /**
-     * Of what a closed contact gives way by, in Newton's matrix only: where the
-     * other contact of its node sticks, nothing else would tell what either of
-     * them carries, and one that cannot hold the node is to see it.
+     * A closed contact gives way by this times r over the stiffness of its node
+     * in Newton's matrix, in solutions not at all. Where the other contact of
+     * the node sticks, too, nothing else would tell what either of them
+     * carries, and one that cannot hold the node is to see it.
      */
     constexpr double softness = 1e-3;
 
@@ -89,6 +92,14 @@ namespace conetact::iterative
       VectorXd                   r, v;
     };
 
+    /**
+     * The matrix of (u, r, v), in this order,
+     * @f[ \begin{pmatrix} K & -H^T & 0\\ -k H & 0 & k\\ 0 & 1 & 0
+     *     \end{pmatrix}, @f]
+     * whose last row says that what acts on further contacts is r, and whose
+     * second one is v = H u times the stiffness k of each node: a force, like
+     * all imbalances, so that one norm measures all of them.
+     */
     class WithFurtherContacts : public solvers::LargeSystem
     {
     public:
@@ -223,7 +234,9 @@ namespace conetact::iterative
       const Array              stiffness;              ///< along each row of H
     };
 
-    /* That of the unknowns which a node sees. */
+    /* The mean of the diagonal of K over the unknowns that a node sees, weighed
+       with squares of H. One number for all rows of a node, so that forces and
+       displacements keep their directions. */
     VectorXd
     WithFurtherContacts::find_stiffness() const
     {
@@ -260,8 +273,10 @@ namespace conetact::iterative
       return result;
     }
 
-    /* What r changes of u: K du = H^T r - f elsewhere, and the laws of the
-       other contacts, whose reactions are (K du - H^T r). */
+    /* The change of u that r makes: K du = H^T r - f elsewhere, and the laws of
+       the other contacts, which are those of their reactions K du - H^T r:
+       P du + D (K du) = h + D H^T r. Without loads, h = 0 and f = 0: the answer
+       is linear in r, and its precision has no force to refer to. */
     solvers::LargeSystem::Kept
     WithFurtherContacts::answer(const Array &r,
                                 const bool   is_loaded,
@@ -293,7 +308,8 @@ namespace conetact::iterative
       return step->du;
     }
 
-    /* P dv + D dr of their nodes; dr alone where P is zero. */
+    /* P dv + D dr of the further contacts. Rows with D = 0 say where a node is:
+       they become softer. */
     VectorXd
     WithFurtherContacts::law_of(const Newton &newton,
                                 const Array  &v,
@@ -314,8 +330,11 @@ namespace conetact::iterative
       return result;
     }
 
-    /* By GMRES, in single precision: it gains some digits at a time. What r
-       changes of u is made of the answers that it has asked for. */
+    /* GMRES in single precision gains some digits at a time. Its matrix is r ->
+       P H u(r) + D r, each product a solution of the system. What the result
+       changes of u needs none more: by linearity it is made of the answers that
+       were asked for, which are kept, a vector of all unknowns for each
+       iteration of a cycle. */
     solvers::LargeSystem::Kept
     WithFurtherContacts::find_reactions(Newton &newton, Array &r) const
     {
@@ -361,7 +380,8 @@ namespace conetact::iterative
                                        iterations)
                                 .cast<double>();
           team().broadcast(part);
-          // the changes are orthonormal
+          // The changes are Krylov's vectors, as nothing preconditions them:
+          // orthonormal, and parts of r along them are scalar products.
           for (const auto &[change, response] : responses)
             {
               const double much = change.dot(part);
@@ -385,6 +405,7 @@ namespace conetact::iterative
       const Kept du = find_reactions(newton, r);
       if (!newton.is_finite)
         return {};
+      // The imbalance of v = H u goes in this step, too.
       const Array v = seen(du) - in(f).r.cwiseQuotient(stiffness);
       return Step{make(du, r, v), newton.iterations, newton.error};
     }

@@ -17,7 +17,7 @@
 
 namespace conetact::iterative
 {
-  /* Each has more than needs no levels. */
+  /* Shares of a size that is solved directly are not worth messages. */
   int
   useful_processes(const Eigen::Index n_unknowns)
   {
@@ -38,8 +38,8 @@ namespace conetact::iterative
       std::vector<int> first; ///< of each process, and behind the last one
     };
 
-    /** What elements bring to the rows of nodes; each process looks at those of
-     * its share of nodes. */
+    /** Work of the rows of nodes: numbers that elements bring to them. Each
+     * process counts for a share of nodes, as parts are not known yet. */
     Eigen::VectorXd
     work_of_nodes(const LargeStiffness   &given,
                   const std::size_t       n_nodes,
@@ -61,7 +61,8 @@ namespace conetact::iterative
       return processes.gather_all(work);
     }
 
-    /** Nodes of each process, which have about the same work. */
+    /** The process of each node: nodes of all have about the same work, which
+     * grows with the elements at a node, not with nodes. */
     std::vector<int>
     parts_of_nodes(const LargeStiffness            &given,
                    const std::vector<unsigned int> &nodes,
@@ -79,7 +80,8 @@ namespace conetact::iterative
       return partition(weighed, processes.size());
     }
 
-    /** Nodes of each part in an order that serves products. */
+    /** Nodes of each part along lines of a regular mesh: neighbours in this
+     * order have rows of the same numbers, which RowRuns multiplies at once. */
     std::vector<std::vector<int>>
     sort_nodes(const LargeStiffness            &given,
                const std::vector<unsigned int> &nodes,
@@ -109,7 +111,7 @@ namespace conetact::iterative
       std::vector<int>          of_unknown; ///< of each unknown
     };
 
-    /* Numbers are dense enough for a table. */
+    /* Numbers are dense enough for a table, which is faster than a map. */
     NumberedNodes
     number_nodes(const std::vector<unsigned int> &node_of)
     {
@@ -132,6 +134,9 @@ namespace conetact::iterative
       return nodes;
     }
 
+    /* Each node has `block` places, of which its unknowns take the first ones
+       as they come. Where some are missing, as in supports, places stay empty:
+       blocks of one size are worth that. */
     Places
     find_places(const LargeStiffness &given,
                 const int             block,
@@ -157,7 +162,8 @@ namespace conetact::iterative
       return places;
     }
 
-    /** All of the team, or each process by itself for what is small. */
+    /** All of the team, or each process by itself for what is small: it does
+     * the same as all others then, for less than messages cost. */
     Communicator
     processes_of(const LargeStiffness &given)
     {
@@ -191,6 +197,7 @@ namespace conetact::iterative
           rows_of_elements<block>(given.elements, places.of, begin, end);
         for (const std::size_t i : own_nodes)
           share.contact.push_back(own_contact_of(given.contact, i));
+        // Elements give their memory back before levels take theirs.
         given  = {};
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
@@ -220,6 +227,7 @@ namespace conetact::iterative
       {
         return make(part(x) + factor * part(y));
       }
+      /* Sums go from one place of contact to the next: no copy is made. */
       double
       product_elsewhere(const Kept &x, const Kept &y) const override
       {
@@ -235,6 +243,8 @@ namespace conetact::iterative
         add(a.size());
         return processes.sum(sum);
       }
+      /* Vectors of all unknowns are copied and sent as they come and go; K u is
+         made of parts, and only their borders are sent. */
       Kept
       multiply(const Kept &u) const override
       {
@@ -255,7 +265,9 @@ namespace conetact::iterative
           for (const std::size_t i : own_nodes)
             own.push_back(laws[i]);
         auto step = system->solve(own, part(f), precision);
-        if (processes.size() == 1) // each has all of it
+        // Where each process has all of it, machines may have rounded in other
+        // ways; decisions of Newton's method must be the same on all.
+        if (processes.size() == 1)
           team().broadcast(step.du);
         if (processes.sum(step.du.allFinite() ? 0. : 1.) > 0)
           return {};
@@ -268,7 +280,7 @@ namespace conetact::iterative
       {
         return std::make_shared<solvers::LocalVector>(std::move(x));
       }
-      /** What this process has of a vector. */
+      /** The part of a vector that this process has. */
       static const Array &
       part(const Kept &x)
       {
@@ -296,8 +308,9 @@ namespace conetact::iterative
         return all(places.of);
       }
 
-      /** Which unknowns of contact are this process's, and the order of all:
-       * each process has its nodes in that. */
+      /** Finds the unknowns of contact that are this process's, and where those
+       * of all stand once they are gathered, process by process. All unknowns
+       * of a node have one owner, as its law mixes them. */
       void
       take_contact(const LargeStiffness &given)
       {
@@ -324,7 +337,7 @@ namespace conetact::iterative
         ascending_contact = contact;
         std::sort(ascending_contact.begin(), ascending_contact.end());
       }
-      /** Of an unknown of contact. */
+      /** The place of unknown k of contact. */
       int
       place(const Index k) const
       {
@@ -379,8 +392,8 @@ namespace conetact::iterative
       std::size_t              contact_begin = 0;  ///< among unknowns
       std::vector<std::size_t> own_nodes;          ///< of contact
       std::vector<int> contact, ascending_contact; ///< their places among own
-      /** Of each unknown of contact, among those of all processes one behind
-       * the other. */
+      /** Where each unknown of contact stands among those of all processes, one
+       * behind the other. */
       std::vector<int>                          contact_order;
       std::unique_ptr<const BlockSystem<block>> system;
     };

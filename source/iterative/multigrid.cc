@@ -15,13 +15,17 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Unknowns of a level of which each process has all. */
+    /** Unknowns of a level of which each process has all: its products take
+     * less time than the messages that they would need. */
     constexpr int few = 4000;
 
-    /** Unknowns of a level that needs none below it. */
+    /** Unknowns of a level that needs none below it: each state factorises a
+     * full matrix of so many. */
     constexpr int few_enough = 240;
 
-    /** What a level must gain, or there is none below it. */
+    /** The share of nodes that a level has of those above it at most, or it is
+     * the last one: where nodes do not go together, levels without end would
+     * follow. */
     constexpr double least_gain = .8;
 
     Eigen::MatrixXd
@@ -65,6 +69,8 @@ namespace conetact::iterative
       return result;
     }
 
+    /** Pseudoinverse, as aggregates of few nodes have fewer motions than modes:
+     * the others are columns of zeros in P, rows and columns of zeros here. */
     template <int size>
     Eigen::Matrix<float, size, size>
     inverse(const Eigen::Matrix<float, size, size> &block)
@@ -75,7 +81,7 @@ namespace conetact::iterative
         .template cast<float>();
     }
 
-    /** Inverse diagonal blocks of a matrix. */
+    /** The inverse diagonal blocks of a matrix. */
     template <int size>
     NodeBlocks<size>
     inverse_diagonal(const BlockMatrix<size, size, float> &A)
@@ -102,6 +108,8 @@ namespace conetact::iterative
     AssertDimension(
       finest.modes.rows(),
       static_cast<Eigen::Index>(finest.A.own_part().n_block_rows()) * fine);
+    // References to a level go on while others are put below it. There are
+    // never as many: each has .8 of the nodes of that above it at most.
     below.reserve(100);
     LevelRows<coarse> rows;
     bool              is_last =
@@ -128,6 +136,9 @@ namespace conetact::iterative
 
 
 
+  /* P has the rows of the level above, and the columns of all aggregates. Where
+     a level is the first whole one, each process still has only its part of the
+     rows of P: maps to it give a part of the sum on each process. */
   template <int fine, int coarse>
   template <int size>
   bool
@@ -185,6 +196,8 @@ namespace conetact::iterative
 
 
 
+  /* Levels keep rows that contacts may change as they are without contact, and
+     leave them out of runs of equal rows. */
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::follow(
@@ -218,7 +231,8 @@ namespace conetact::iterative
 
 
 
-  /* All processes find the same. */
+  /* All processes find the same: the change of levels sends messages, to which
+     all must come. */
   template <int fine, int coarse>
   bool
   CoarseLevels<fine, coarse>::have_states_like(
@@ -234,6 +248,8 @@ namespace conetact::iterative
 
 
 
+  /* The coarse matrices become P^T A' P of the matrix A' with contacts. Bounds
+     of eigenvalues stay those of A. */
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::set_states(
@@ -255,11 +271,14 @@ namespace conetact::iterative
                                             j * coarse) +=
           block.template cast<double>();
       });
+    // The answer is zero where a pivot is, as for columns of zeros in P.
     coarsest.compute(last);
   }
 
 
 
+  /* Each state begins with the rows of no contact: single precision would not
+     bring them back from those of another state. */
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::change_rows(
@@ -289,7 +308,8 @@ namespace conetact::iterative
 
 
 
-  /* What each process has of the residual makes a part of the whole. */
+  /* Each process has a part of the residual, and so of the sums on the first
+     level that is whole. */
   template <int fine, int coarse>
   template <typename Matrix>
   void
@@ -317,6 +337,9 @@ namespace conetact::iterative
 
 
 
+  /* A V-cycle: two steps of Chebyshev's method, the correction from below, two
+     steps again. Work is a multiple of that on the first level, as each has a
+     fraction of the unknowns above it. */
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::cycle(const std::size_t l)

@@ -22,6 +22,7 @@ namespace conetact::iterative
     return table;
   }
 
+  /* The scene has refused all other names. */
   Preconditioner
   preconditioner_named(const std::string &name)
   {

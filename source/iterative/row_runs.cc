@@ -14,7 +14,8 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Rows that are alike: fewer are not worth a place in the cache. */
+    /** Rows that are alike are as many at least: numbers of fewer rows are not
+     * worth a place in the cache. */
     constexpr std::size_t least_rows = 256;
 
     /** A strip at least of the widest vectors that processors have. */
@@ -37,8 +38,12 @@ namespace conetact::iterative
       std::size_t   n_parts; ///< length of each of them
     };
 
-    /** A strip of `width` rows, and `n_strips` of them one behind the other,
-     * beginning with `row`. */
+    /**
+     * Strips of `width` rows each, one behind the other, beginning with `row`.
+     * As rows i, i + 1, ... have the same numbers in columns that ascend by
+     * one, @f$y_{i+l} = \sum_k A_k x_{i+l+s_k}@f$: a number of A_k meets
+     * neighbours of x, one vector of the processor if components stand apart.
+     */
     template <int block, typename Number, int bytes, int n_strips>
     [[gnu::always_inline]] inline void
     multiply_strips(const Alike<Number> &rows, const std::size_t row, Number *y)
@@ -80,7 +85,9 @@ namespace conetact::iterative
           *y++ = out[r][l];
     }
 
-    /** As many strips at once as there are rows for; the last ones overlap. */
+    /** As many strips at once as there are rows for. The last ones overlap
+     * those before them and write the same numbers again: no row is left over.
+     */
     template <int block, typename Number, int bytes, int n_strips>
     [[gnu::always_inline]] inline void
     multiply_run(const Alike<Number> &rows,
@@ -109,7 +116,8 @@ namespace conetact::iterative
           parts[static_cast<std::size_t>(c) * n + i] = *x++;
     }
 
-    /** Of all runs that are wide; `parts` is room for what x is made of. */
+    /** Multiplies all runs that are wide; `parts` is room for x taken apart,
+     * which costs one pass over x. */
     template <int block, typename Number, int bytes, int most_strips>
     [[gnu::always_inline]] inline void
     multiply_runs(const std::vector<RowRun<Number>> &runs,
@@ -136,9 +144,10 @@ namespace conetact::iterative
                               std::vector<Number>               &parts,
                               Number                            *y);
 
-    // The same for processors that differ in the width of their vectors and in
-    // how many of them they have: more sums at once than it takes to hide how
-    // long each takes, as few as there are places for.
+    // Processors differ in the width of their vectors and in how many they
+    // hold. Of 16 these take block * strips sums (8, 9 and 12: each waits for
+    // its own last product, so that several must be under way), a vector of x
+    // for each strip and a number of A: 13 or 15. AVX-512 has twice as many.
     template <int block>
     constexpr int strips_of_sixteen = block == 2 ? 4 :
                                       block == 3 ? 3 :
@@ -224,7 +233,8 @@ namespace conetact::iterative
 
 
   /* Where the numbers of each row are, the same place for equal ones; null for
-     those that few rows have. */
+     those that few rows have. Places are compared from here on, not numbers:
+     rows that change must not be among them. */
   template <int block, typename Number>
   typename RowRuns<block, Number>::Numbers
   RowRuns<block, Number>::find_equal(const std::vector<int> &changing) const
@@ -265,6 +275,7 @@ namespace conetact::iterative
 
 
 
+  /* Rows are of one kind if columns less the row are the same, too. */
   template <int block, typename Number>
   void
   RowRuns<block, Number>::find_runs(const Numbers &numbers)
@@ -314,6 +325,9 @@ namespace conetact::iterative
 
 
 
+  /* Wide runs first; then all other rows in ascending order: those between runs
+     as the matrix has them, those of short runs with the numbers of their kind,
+     which are in the cache. */
   template <int block, typename Number>
   void
   RowRuns<block, Number>::operator()(const Number *x, Number *y) const

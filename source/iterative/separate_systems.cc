@@ -15,19 +15,24 @@ namespace conetact::iterative
     using Eigen::Index;
     using solvers::NodeLaw;
 
-    /** Of the unknowns and contact nodes of all, those of one system. */
+    /** One of the systems, and which of all unknowns and contact nodes it has.
+     */
     struct Part
     {
       std::vector<Index>                          unknowns, nodes;
       std::shared_ptr<const solvers::LargeSystem> system;
     };
 
-    /** What the systems have of it, in their order. */
+    /** A vector as the systems have it, in their order. */
     struct Vectors : solvers::LargeVector
     {
       std::vector<solvers::LargeSystem::Kept> of;
     };
 
+    /**
+     * As no element has nodes of two parts, K = diag(K_1, K_2), and as a law is
+     * that of one node, P + D K has the same blocks: each part solves its own.
+     */
     class SeparateSystems : public solvers::LargeSystem
     {
     public:
@@ -59,6 +64,8 @@ namespace conetact::iterative
           all(parts[i].unknowns) = parts[i].system->numbers(in_part(x, i));
         return all;
       }
+      /* Parts keep the order of all unknowns: those of contact are the last
+         ones of each, too. */
       Array
       of_contact(const Kept &x) const override
       {
@@ -153,7 +160,11 @@ namespace conetact::iterative
     /** Numbers of unknowns in a part, -1 in others. */
     using PartNumbers = std::shared_ptr<const std::vector<Index>>;
 
-    /** Those whose unknowns are in a part; none are in two. */
+    /**
+     * Those whose unknowns are in a part; none are in two, or their matrices
+     * would have rows that the part has not. Nothing is copied: elements are
+     * visited as all are, and renumbered on the way.
+     */
     Elements
     part_of(const Elements &elements, const PartNumbers &number)
     {
@@ -189,7 +200,8 @@ namespace conetact::iterative
       return part;
     }
 
-    /** What `given` has of the unknowns and contact nodes of a part. */
+    /** The part of `given` that has the unknowns and contact nodes of `part`.
+     */
     LargeStiffness
     part_of(const LargeStiffness &given, const Part &part)
     {
@@ -218,6 +230,8 @@ namespace conetact::iterative
 
 
 
+  /* The part that is factorised comes first, where both have unknowns: an order
+     that keep() and all other functions of the system share. */
   std::shared_ptr<const solvers::LargeSystem>
   make_separate_systems(LargeStiffness              &&given,
                         const std::set<unsigned int> &direct,

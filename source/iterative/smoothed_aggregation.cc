@@ -16,7 +16,12 @@ namespace conetact::iterative
 {
   namespace
   {
-    /** Modes of an aggregate that are so much the same count as one. */
+    /**
+     * A mode of an aggregate counts as spanned by those before it if no more
+     * than this part of it is left. A turn about an origin at the distance L
+     * leaves h / L of itself, h the size of the aggregate, which is far more;
+     * rounding leaves 1e-16.
+     */
     constexpr double same = 1e-7;
 
     /** Makes it the next row of a matrix. */
@@ -71,7 +76,8 @@ namespace conetact::iterative
     }
 
     /** Rounded, so that equal aggregates have the same numbers to the last
-     * bit: their rows are kept once (RowRuns). */
+     * bit: their rows are kept once (RowRuns). Columns have the norm one; the
+     * quantum is four times the spacing of single precision just below that. */
     float
     rounded(const double x)
     {
@@ -79,7 +85,7 @@ namespace conetact::iterative
       return static_cast<float>(std::round(x / quantum) * quantum);
     }
 
-    /** Of aggregates, from that of their nodes. */
+    /** An aggregate has the side of its nodes, which are all on one. */
     std::vector<int>
     sides_of(const std::vector<int> &aggregate_of,
              const int               n_aggregates,
@@ -97,7 +103,11 @@ namespace conetact::iterative
       return !side.empty() && side[i] < 0;
     }
 
-    /** Modes of each aggregate, orthogonal; and what they are made of. */
+    /**
+     * The tentative prolongator T: orthogonal modes of each aggregate, in one
+     * block for each node; and what they are made of. Aggregates with fewer
+     * motions than modes keep columns of zeros, so that blocks are of one size.
+     */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
     orthogonal_modes(const std::vector<int> &aggregate_of,
@@ -130,6 +140,7 @@ namespace conetact::iterative
               T.column[at(own[k])] = begin + a;
               T.block(at(own[k])) =
                 Q.middleRows<size>(Eigen::Index(k) * size).unaryExpr(&rounded);
+              // No mode moves it: the column of its unknown is made by hand.
               if (is_alone(at(own[k]), above.side))
                 T.block(at(own[k]))(0, 0) = 1;
             }
@@ -138,7 +149,8 @@ namespace conetact::iterative
       return T;
     }
 
-    /** Of A T, where T has a block in each row. */
+    /** Blocks of A T, where T has one in each row, are counted beforehand: a
+     * vector that grows takes up to three times its memory. */
     template <int size, int coarse>
     std::size_t
     n_blocks_of_product(const DistributedMatrix<size, size, double> &A,
@@ -157,7 +169,12 @@ namespace conetact::iterative
       return n;
     }
 
-    /** One step of Jacobi's method: T - omega D A T. */
+    /**
+     * One step of Jacobi's method, P = (1 - omega D A) T with
+     * omega = 4 / (3 lambda), lambda the largest eigenvalue of D A: the largest
+     * x (1 - omega x)^2 of 0 <= x <= lambda, a bound of energies, is lambda / 9
+     * then and no less for any other factor.
+     */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
     smoothed(const LevelAbove<size>          &above,
@@ -190,7 +207,9 @@ namespace conetact::iterative
 
     /**
      * Rows of P^T A P: those of own aggregates, and behind them those of others
-     * to which own rows of A add.
+     * to which own rows of A add. With the rows of A and P, it is the sum of
+     * P_i^T (sum_j A_ij P_j) over i: no transposed matrix and no A P is kept.
+     * Columns are found before numbers, so that rows have their memory once.
      */
     template <int size, int coarse>
     class Projection
@@ -264,7 +283,8 @@ namespace conetact::iterative
         if (processes.size() > 1)
           exchange_columns();
       }
-      /** Of own aggregates, from those who add to their rows. */
+      /** Own aggregates learn their columns from those who add to their rows.
+       */
       void
       exchange_columns()
       {
@@ -382,7 +402,7 @@ namespace conetact::iterative
       Sums                          sums;
     };
 
-    /** Own rows of P^T A P. */
+    /** Own rows of P^T A P, for which P has rows of others for a while. */
     template <int size, int coarse>
     BlockMatrix<coarse, coarse, double>
     project(const LevelAbove<size>           &above,
@@ -400,6 +420,8 @@ namespace conetact::iterative
     }
   } // namespace
 
+  /* Modes of the coarse level are B_c = Q^T B of each aggregate: T B_c = B but
+     for rounding, so that all levels have the rigid motions. */
   template <int size, int coarse>
   CoarseLevel<size, coarse>
   aggregate(const LevelAbove<size> &above, const Communicator &processes)

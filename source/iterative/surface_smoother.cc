@@ -15,6 +15,10 @@ namespace conetact::iterative
   using Eigen::VectorXd;
   using Eigen::VectorXf;
 
+  /* Each process brings the rows of its nodes, in columns of the surface alone,
+     and gets those of all: the matrix of a surface is small beside that of a
+     body. The order of elimination is found once, as all states have the same
+     pattern. */
   template <int block>
   SurfaceSmoother<block>::SurfaceSmoother(
     const DistributedMatrix<block, block, double> &matrix,
@@ -59,6 +63,7 @@ namespace conetact::iterative
     const VectorXd value         = gather(values, VectorXd());
 
     std::vector<Eigen::Triplet<double>> entries;
+    // Blocks come column by column.
     for (Index k = 0; k < value.size(); ++k)
       {
         const Index b = k / (block * block);
@@ -89,7 +94,9 @@ namespace conetact::iterative
 
 
 
-  /* What is held keeps a diagonal of one, and nothing else. */
+  /* Held unknowns keep a diagonal of one, and nothing else; their zeros stay in
+     the pattern. Where a matrix has no factor the smoother of single nodes
+     remains as it is: apply() does nothing then. */
   template <int block>
   void
   SurfaceSmoother<block>::factorize(const VectorXd &all_free,
@@ -118,6 +125,8 @@ namespace conetact::iterative
 
 
 
+  /* All processes solve for the whole surface, each for itself: to gather the
+     right-hand side is the only message. */
   template <int block>
   void
   SurfaceSmoother<block>::apply(const VectorXf &r, VectorXf &z) const

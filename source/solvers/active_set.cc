@@ -90,7 +90,9 @@ namespace conetact::solvers
 
 
 
-  /* Near the end Newton's own slopes are the better ones. */
+  /* Near the end Newton's own slopes are the better ones, as they converge
+     quadratically: a few times in turn, one set of slopes leads nearer, the
+     other one tries to end it. Only solutions of the problem itself count. */
   SolverReport
   ActiveSet::solve_without_fall(const ContactProblem &problem,
                                 ContactState         &state)
@@ -133,6 +135,10 @@ namespace conetact::solvers
 
 
 
+  /* In order: the state as it is, if the load is that of the start; bodies that
+     nothing presses; where the load leads if it goes on as before; the states
+     of the start; slopes that lead on where friction falls. The work of all of
+     them is counted. */
   SolverReport
   ActiveSet::solve(const ContactProblem &problem, ContactState &state)
   {
@@ -178,6 +184,8 @@ namespace conetact::solvers
         const unsigned int iterations     = report.iterations;
         const unsigned int factorizations = report.factorizations;
         state                             = start;
+        // A guess that failed, or a load that turns: slips of the increment
+        // before tell nothing.
         if (iterations > 0 || predictor.turns(start, change))
           stick(state);
         report = solve_from_states(problem, state);

@@ -20,7 +20,7 @@ namespace conetact::solvers
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** What a node is taken for; slips by the sign of their du_t. */
+    /** A node is taken for one of these; slips go by the sign of du_t. */
     enum class Choice
     {
       any,
@@ -37,7 +37,9 @@ namespace conetact::solvers
       return static_cast<std::size_t>(i);
     }
 
-    /** v = W r + q, over units that make both of the size of one. */
+    /** v = W r + q, over units that make both of the size of one, so that
+     * absolute tolerances may be used below. K is inverted, which costs n^3:
+     * has_finite_solutions() lets a hundred unknowns pass. */
     struct Relation
     {
       const ContactSystem &system;
@@ -106,7 +108,10 @@ namespace conetact::solvers
       std::vector<double>             constants;
     };
 
-    /** Columns of the reactions that a node may have, in its own unknowns. */
+    /** Columns of the reactions that a node may have, in its own unknowns: the
+     * cone of the plane is spanned by its two edges, (mu, 1) and (-mu, 1), so
+     * that r = T x with x >= 0 says no more and no less than |r_t| <= mu r_n.
+     */
     MatrixXd
     generators(const double mu, const Index n_tangents)
     {
@@ -138,8 +143,13 @@ namespace conetact::solvers
       }
 
     private:
-      /** Elastic and contact conditions of closed nodes that are equations make
-       * their reactions those of the others; none where they do not. */
+      /**
+       * Nodes that stick have v = 0, those that slip v_n = 0 and
+       * r_t = -+mu r_n: as many equations as these have reactions y, so that
+       * (W own y + W free x + q) = 0 in rows `equal` makes y a function of the
+       * reactions x of nodes whose state is not chosen. None where the
+       * equations are singular: a family of reactions may be left then.
+       */
       std::optional<Reduced>
       reduce(const Choices &choices) const
       {
@@ -191,6 +201,9 @@ namespace conetact::solvers
         return reduced;
       }
 
+      /** Inequalities: no gap below zero; r in its cone where a node sticks;
+       * r_n not below zero and v_t of the sign that was chosen where it slips.
+       */
       void
       add_conditions(const Choices &choices, Reduced &reduced) const
       {
@@ -233,7 +246,12 @@ namespace conetact::solvers
         rows.write(reduced.B, reduced.b);
       }
 
-      /** Where r^T v is least; none: nowhere, or above 0. */
+      /**
+       * Where r^T v is least; none: nowhere, or above 0. As W is semidefinite
+       * the problem min r^T (W r + q) over x >= 0, B r + b >= 0 is convex, and
+       * its conditions of optimality are a linear complementarity problem,
+       * which Lemke's method solves or shows to have no feasible point.
+       */
       std::optional<VectorXd>
       least(const Reduced &reduced) const
       {
@@ -249,7 +267,7 @@ namespace conetact::solvers
         M.topRightCorner(n, m)   = -A.transpose();
         M.bottomLeftCorner(m, n) = A;
         VectorXd q(n + m), z;
-        q << c, b.array() + much; // edges belong to both sides
+        q << c, b.array() + much; // Edges belong to both sides.
         if (!solve_lcp(
               M, q, VectorXd::Ones(n + m), Eigen::VectorXi::Zero(n + m), z))
           return {};
@@ -260,7 +278,9 @@ namespace conetact::solvers
         return r;
       }
 
-      /** How far from any state a node is at r. */
+      /** How far from any state a node is at r: r_n g, r_t v_t + mu r_n |v_t|,
+       * of which none is negative where r is in the cone and g >= 0, and both
+       * vanish where the law holds. */
       double
       violation(const Index i, const VectorXd &r, const VectorXd &v) const
       {
@@ -272,7 +292,8 @@ namespace conetact::solvers
       }
 
       /** The node that is to be one of its states next: the worst, or the
-       * first of those that are fine. */
+       * first of those that are fine, since each of these may have other states
+       * at other reactions. None is left once all are chosen. */
       Index
       next(const Choices &choices, const VectorXd &r) const
       {
@@ -290,6 +311,9 @@ namespace conetact::solvers
         return best;
       }
 
+      /** Depth first. With n nodes 4^n sets at most, but all that complete a
+       * set without a point are left out at once, and the worst node is decided
+       * first: with little friction few are left. */
       void
       visit(const Choices &choices)
       {
@@ -329,7 +353,8 @@ namespace conetact::solvers
           }
       }
 
-      /** States at an edge of two are found twice. */
+      /** States at an edge of two are found twice: the same numbers, up to the
+       * rounding of two linear systems. */
       void
       keep(const Choices &choices, const VectorXd &r)
       {

@@ -92,12 +92,15 @@ namespace conetact::solvers
     const double root = std::hypot(l, 2 * m);
     if (l >= 0)
       return .5 * (root + l);
-    // root + l would cancel. Its product with root - l is 4 m^2.
+    // For l < 0 root + l would cancel. Its product with root - l is 4 m^2.
     return 2 * m * (m / (root - l));
   }
 
 
 
+  /* With g(l) = (sqrt(l^2 + 4 m^2) + l) / 2, g' = g / sqrt(l^2 + 4 m^2), and
+     h(l) = g(-l) = g(l) - l, all terms are positive or differences of small
+     ones: value and derivatives keep their digits as m goes to zero. */
   SmoothedProjection
   smoothed_projection(const SmallVector &z, const double m)
   {

@@ -97,7 +97,7 @@ namespace conetact::solvers
       return multiply(system, u) - problem.load;
     }
 
-    /** Whether friction is at its limit. It is asked for where layers give way:
+    /** True if friction is at its limit. It is asked for where layers give way:
      * what they take of a slip is known to rounding only, and leaves no zero.
      */
     bool
@@ -114,7 +114,8 @@ namespace conetact::solvers
       return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;
     }
 
-    /** Residual of the linear relation, as forces. */
+    /** Residual of the linear relation, as forces: K u - f - r, or W r + q - v
+     * times the stiffness of each node, and the imbalance of motions. */
     VectorXd
     relation_residual(const ContactProblem &problem,
                       const ContactState   &state,
@@ -130,7 +131,7 @@ namespace conetact::solvers
       return residual;
     }
 
-    /** At v, as the law sees it, and pressed by s. */
+    /** The ellipse of node i at v, as the law sees it, and pressed by s. */
     Aspect
     aspect_of(const ContactProblem &problem,
               const Index           i,
@@ -167,7 +168,12 @@ namespace conetact::solvers
       return scale.cwiseProduct(r - z);
     }
 
-    /** Residual of the contact law, as forces; that of motions is balance. */
+    /**
+     * Residual of the contact law, as forces, r - P_C(r - rho v'); that of
+     * motions is balance. A node that moves as a part of a floating body may
+     * slip so far that rho v' has no digit left of r: the law holds with any
+     * rho > 0, and a smaller one is taken there.
+     */
     VectorXd
     law_residual(const ContactProblem &problem,
                  const ContactState   &state,
@@ -212,7 +218,8 @@ namespace conetact::solvers
           v(nt) += mu * slip;
           result.segment(first, nt + 1) =
             r - project_on_friction_cone(r - factor * v, mu);
-          // gaps count in full, but no more than what is left of a reaction
+          // With the smaller factor a gap beside a reaction would hardly count:
+          // it is added, an interference in full, an open gap up to |r|.
           if (factor < rho(first))
             result(first + nt) += gap > 0 ?
                                     std::min(rho(first) * gap, r.norm()) :
@@ -284,7 +291,8 @@ namespace conetact::solvers
     const double load = problem.load.tail(stiff ? n : system.n_motions).norm();
     const double scale =
       std::max({state.r.head(n).norm(), load, problem.reference_force});
-    // Elsewhere loads may be that contacts hear of only when they hold.
+    // In large systems loads may act elsewhere, which contacts feel only once
+    // they hold: reactions that grow to their size do not run away.
     const double all = system.large ? problem.load.norm() : load;
     const double data =
       std::max({all,
@@ -299,6 +307,9 @@ namespace conetact::solvers
 
 
 
+  /* x.y = sum_i lambda_i mu_i r_n,i + v_i.r_i with lambda_i = |du_t,i|: of the
+     state's own v and r (err1), and with one of them replaced by what the
+     linear relation gives (err2). */
   KannoErrors
   kanno_errors(const ContactProblem &problem, const ContactState &state)
   {
@@ -321,7 +332,7 @@ namespace conetact::solvers
       {
         const Index  first = system.first[i], nt = system.n_tangents(i);
         const double mu = friction_coefficient(problem, state, i);
-        // lambda may be anything from |du_t| on where r_n = 0
+        // Where r_n = 0, lambda may be more than |du_t|, but does not count.
         const auto add = [&](const VectorXd &x, const VectorXd &y) {
           const SmallVector at = x.segment(first, nt + 1);
           const SmallVector scale =
@@ -370,8 +381,9 @@ namespace conetact::solvers
       seen_by_law(problem, state.v.head(n), state.r.head(n));
     const double limit =
       tolerance * std::max(largest(seen), largest(problem.gap));
-    // a closed node with a bond has no gap to the last digit, but for a layer:
-    // it is pressed by more than its gap is worth
+    // A node with a bond b is open where its gap times the stiffness is more
+    // than the force that presses it, r_n + b <= rho g: neither is zero to the
+    // last digit.
     const VectorXd rho =
       problem.has_bonds() ? reference_stiffness(system) : VectorXd();
     const auto bond_opens = [&](const Index i, const double slip) {

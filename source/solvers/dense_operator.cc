@@ -14,7 +14,8 @@ namespace conetact::solvers
     // do not settle: then what a step leaves open matters.
     constexpr unsigned int exact_from = 12;
 
-    // Friction that falls faster than bodies resist leads to and fro.
+    // Friction that falls faster than bodies resist leads to and fro: so many
+    // steps in a row that gain next to nothing are cut, and end if cut.
     constexpr unsigned int most_in_vain = 12;
   } // namespace
 
@@ -51,7 +52,7 @@ namespace conetact::solvers
   bool
   DenseOperator::is_balanced(const NewtonPoint &point) const
   {
-    constexpr double small = 1e-3; // or it would have moved without end
+    constexpr double small = 1e-3; // More left means motion without end.
     return point.d.tail(numbers.system().n_motions).norm() <=
            small * numbers.force_scale(point.p, point.d);
   }
@@ -124,8 +125,9 @@ namespace conetact::solvers
 
 
 
-  /* What Newton's method gains anyway, or what is left to gain if that is less.
-   */
+  /* A step squares the residual, so that a tenth of it is exact enough for the
+     next linear system, and so is what takes it below the goal; two digits are
+     the least. */
   double
   DenseOperator::precision(const NewtonPoint    &point,
                            const NewtonProgress &progress) const
@@ -139,6 +141,10 @@ namespace conetact::solvers
 
 
 
+  /* With one tangent and cones the laws of a set are linear: a step from the
+     same states ends at the solution. Cones in space have directions of slip,
+     which converge quadratically and are never known to be exact. Laws beyond
+     cones are exact to rounding where a gain shows such convergence. */
   bool
   DenseOperator::is_exact(const NewtonProgress &progress) const
   {

@@ -10,6 +10,12 @@ namespace conetact::solvers
 {
   namespace
   {
+    /**
+     * A fixed-point iteration, mu_k+1 = f(r_k, slip_k) / r_n,k at each node,
+     * from the start of the increment each time but for reactions. It gives up
+     * after a hundred solutions: nothing makes it contract where friction
+     * varies much with reactions or slips.
+     */
     class FixedCones : public ContactSolver
     {
     public:
@@ -60,6 +66,8 @@ namespace conetact::solvers
             take_layers_away(problem, state);
             if (!sum.converged)
               return sum;
+            // The residual is that of the laws that vary. A tolerance that is
+            // reached is enough once nothing more is gained.
             sum.residual = contact_residual(problem, state);
             if (sum.residual <= enough * options.tolerance ||
                 (sum.residual <= options.tolerance &&

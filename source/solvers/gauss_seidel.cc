@@ -19,7 +19,8 @@ namespace conetact::solvers
 {
   namespace
   {
-    /** Share of entries up to which a matrix is treated as a sparse one. */
+    /** Share of entries up to which a matrix is treated as a sparse one: each
+     * of these takes an index besides, and no vectors of the processor. */
     constexpr double sparse_up_to = .25;
 
     /**
@@ -107,6 +108,8 @@ namespace conetact::solvers
 
 
 
+    /* Columns of a node that has changed: a sweep costs n^2 at most, and less
+       where nodes are done. */
     void
     GaussSeidel::add_columns(const Eigen::Index          begin,
                              const LocalCoulomb::Vector &step)

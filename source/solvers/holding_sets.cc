@@ -24,6 +24,8 @@ namespace conetact::solvers
 
 
 
+  /* The strongest of the nodes that slip has the largest limit of friction
+     under r, with its bond and at no slip, as it is to stick. */
   NodeSets
   with_strongest_stuck(const LinearRelation  &relation,
                        NodeSets               sets,
@@ -55,6 +57,11 @@ namespace conetact::solvers
 
 
 
+  /* A motion N a is resisted by the directions that the sets take from it:
+     sum_i |P_i N_i a|^2 with P_i = 1 for closed gaps and stuck slips and
+     P_i = ratio (1 - e e^T) for slips along e, which turn but do not stop. The
+     matrix has the size of the motions; an eigenvalue of 1e-10 of the largest
+     is rounding. */
   bool
   resist_motions(const ContactSystem &system, const NodeSets &sets)
   {

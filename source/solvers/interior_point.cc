@@ -66,8 +66,8 @@ namespace conetact::solvers
       if (n > 0 && d >= 0 && (b < 0 || a < 0))
         {
           const double root =
-            // the smaller positive root; of its two forms the one without
-            // cancellation
+            // The smaller positive root has two forms: this one does not
+            // cancel.
             b < 0 ? c / (-b + std::sqrt(d)) : (-b - std::sqrt(d)) / a;
           if (root >= 0)
             result = std::min(result, root);

@@ -28,6 +28,9 @@ namespace conetact::solvers
 
 
 
+  /* Dense factors have partial pivots and 2 n^3 / 3 operations whatever the
+     pattern; only an exact zero is singular to LAPACK, so that who calls looks
+     at the result. */
   bool
   LargeFactor::factorize(const Matrix &A)
   {

@@ -17,13 +17,15 @@ namespace conetact::solvers
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /** What stalls there has the states of a solution. */
+    /** An iteration that stalls below this residual has the states of a
+     * solution, which serve as a start for another method. */
     constexpr double near_enough = 1e-3;
 
-    /** Changes of load that differ by less go on as before. */
+    /** Changes of load that differ by less than this part go on as before. */
     constexpr double same_way = .1;
 
-    /** Of the tolerance: what the iteration aims at. */
+    /** The part of the tolerance that the iteration aims at: the residual is a
+     * norm of all nodes, where verification looks at single bodies. */
     constexpr double aim = 1e-2;
 
     ContactState
@@ -33,7 +35,8 @@ namespace conetact::solvers
       return state;
     }
 
-    /** What has moved contacts without strain since the start. */
+    /** What has moved contacts without strain since the start: o at the end
+     * less o = v - u at the start. */
     VectorXd
     change_of_offset(const ContactProblem &problem, const ContactState &start)
     {
@@ -91,6 +94,9 @@ namespace conetact::solvers
 
 
 
+  /* u + s du of the last increment, where the load changes by
+     db = s db_last + rest, s = (db . db_last) / |db_last|^2, with a rest of a
+     tenth at most. Offsets are compared with loads by the mean stiffness c. */
   std::optional<NewtonPoint>
   LargeNewton::predict(const ContactProblem &problem,
                        const ContactState   &state,
@@ -98,13 +104,13 @@ namespace conetact::solvers
   {
     if (!last)
       return {};
-    // one increment once more, with a load that is a little better
+    // The increment is solved once more, with a load that is a little better.
     if (is_at(state, u, last->start_u, last->start_r))
       return elastic->point_at(elastic->body().add(
         u, 1, elastic->body().add(last->end_u, -1, last->start_u)));
     if (!is_at(state, u, last->end_u, last->end_r))
       return {};
-    // obstacles and supports that move are loads, too
+    // Obstacles and supports that move are loads, too.
     const double c = elastic->relation().system().diagonal().mean();
     const Kept   of_load =
       elastic->body().add(elastic->load(), -1, last->end_load);
@@ -138,6 +144,8 @@ namespace conetact::solvers
 
 
 
+  /* The change of load is known where an increment follows the last one, or
+     begins without displacements, and so without load. */
   void
   LargeNewton::remember(const ContactProblem &problem,
                         const ContactState   &start,
@@ -177,6 +185,15 @@ namespace conetact::solvers
 
 
 
+  /**
+   * Starts one after the other, each with a reason of its own. First where the
+   * load leads, or is known to lead, for that is near the solution; then the
+   * start of the increment with its states; then friction that falls to what it
+   * is, since nodes that stick hold bodies that hang on friction alone; at last
+   * cut steps, whose systems are solved to the end, from three sets: the states
+   * of the start, all nodes stuck, those nodes stuck that the load closes. Of
+   * these none is tried twice.
+   */
   SolverReport
   LargeNewton::solve_whole(const ContactProblem &problem, ContactState &state)
   {
@@ -231,7 +248,7 @@ namespace conetact::solvers
     if (tried_exactly(before) ||
         tried_exactly(sets_of_state(elastic->relation(), cold)))
       return report;
-    // only those whose gaps are closed, or are driven to close
+    // Only those stick whose gaps are closed, or are driven to close.
     cold.node = driven_states(start, u);
     tried_exactly(sets_of_state(elastic->relation(), cold));
     return report;
@@ -239,7 +256,7 @@ namespace conetact::solvers
 
 
 
-  /* To begin with. */
+  /* Without states all nodes stick to begin with. */
   ContactState
   LargeNewton::all_stuck(const ContactState &start) const
   {
@@ -250,8 +267,10 @@ namespace conetact::solvers
 
 
 
-  /* Of bodies that float: with all contacts stuck their reactions balance the
-     load, which moves them the other way. */
+  /* Nodes are open where they have a gap at the start. Where bodies float, the
+     load tells instead: with all contacts stuck, reactions r balance it, and
+     without them bodies would go along -N N^T r, N their motions. Nodes that
+     this opens are open, and those that it hardly moves (1e-6). */
   std::vector<NodeState>
   LargeNewton::driven_states(const ContactState &start, const Kept &u)
   {
@@ -284,12 +303,17 @@ namespace conetact::solvers
 
 
 
+  /* A homotopy in the coefficients: all of them times a factor, which begins
+     where the largest coefficient is one or twice itself and falls to 1 by a
+     ratio of 2 at first. Each solution is where the next one starts. Where a
+     factor fails the ratio becomes its square root, seen from the last one that
+     was solved, until it is less than 1.1. */
   SolverReport
   LargeNewton::solve_with_falling_friction(const ContactProblem &problem,
                                            const Kept           &start_u,
                                            ContactState         &state)
   {
-    // of what is on the way states matter only
+    // On the way states matter only, and residuals are small enough for that.
     constexpr double   least_ratio = 1.1, enough = 1e-6;
     const ContactState start  = state;
     ContactProblem     easier = with_coefficients_of(start, problem);
@@ -345,7 +369,7 @@ namespace conetact::solvers
   LargeNewton::solve_in_parts(const ContactProblem &problem,
                               ContactState         &state)
   {
-    // What the start of the increment and its end differ in.
+    // The start is in balance with the load K u - r.
     Array of_load =
       problem.load - elastic->body().numbers(
                        elastic->body().multiply(elastic->body().keep(state.u)));
@@ -383,6 +407,7 @@ namespace conetact::solvers
     state = start;
     if (options.max_substeps < 2)
       {
+        // Another backend may go on from there.
         if (nearest && nearest->residual() <= near_enough)
           {
             state.nearby = elastic->body().numbers(nearest->u);

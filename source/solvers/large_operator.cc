@@ -14,12 +14,12 @@ namespace conetact::solvers
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    // Of linear systems: the first one decides about the states of all nodes,
-    // those after it gain as much as Newton's method does.
+    // Precisions of linear systems: the first one decides about the states of
+    // all nodes, those after it gain as much as Newton's method does.
     constexpr double first_precision = 1e-3, least_precision = 3e-2,
                      best_precision = 1e-4;
 
-    /** Of the tolerance: what the iteration aims at for directions. */
+    /** The part of the tolerance that the iteration aims at for directions. */
     constexpr double askew_aim = .6;
 
     /**
@@ -84,6 +84,10 @@ namespace conetact::solvers
 
 
 
+  /* f = K u - b is the reaction at contacts and the imbalance elsewhere, whose
+     norm is compared with the forces of contacts. Where these are less than
+     those of the history `scale` says by how much: the residual over forces
+     that are there is larger then. */
   NewtonPoint
   LargeOperator::point_at(Kept u, Kept f) const
   {
@@ -114,6 +118,9 @@ namespace conetact::solvers
 
 
 
+  /* P dp + D dd = h with du = alpha s dp, dr = alpha / s dd, and all of it
+     times alpha / s: P / s^2 du + D dr = alpha / s h, where D keeps its numbers
+     and the system needs no scales. */
   std::vector<NodeLaw>
   LargeOperator::laws(const NewtonPoint &point, NodeSets sets) const
   {
@@ -178,8 +185,9 @@ namespace conetact::solvers
 
 
 
-  /* No better than Newton's method gains, or than what is still to be gained.
-   */
+  /* The second choice of Eisenstat and Walker, .9 gain^1.5, but no better than
+     what is still to be gained. Cut steps are solved to the end: a direction
+     that is not exact need not lead down. */
   double
   LargeOperator::precision(const NewtonPoint    &point,
                            const NewtonProgress &progress) const
@@ -187,6 +195,7 @@ namespace conetact::solvers
     if (progress.damped)
       return exact;
     if (progress.first)
+      // Without any reaction so far it makes all of them.
       return point.d.isZero(0) ? best_precision : first_precision;
     return std::clamp(std::max(.9 * std::pow(progress.gain, 1.5),
                                .3 * progress.goal / point.residual()),

@@ -42,7 +42,9 @@ namespace conetact::solvers
       return result;
     }
 
-    /** Scales that give the columns of G norm 1; unseen motions keep theirs. */
+    /** Scales that give the columns of G norm 1. A motion that contacts hardly
+     * see, 1e-6 of the largest, is scaled with that one: to make its column one
+     * would make rounding of it a motion. */
     void
     scale_motions(const ContactSystem &system, VectorXd &scale)
     {
@@ -140,7 +142,8 @@ namespace conetact::solvers
     eigen_assert(problem.reference_force >= 0);
     laws = problem.laws;
     set_steps();
-    // Both M = S A S and l = +-S load with S = diag(scale)
+    // Both M = S A S and l = +-S load with S = diag(scale): u = S p, r = S^-1 d
+    // in stiffness form (d = S (K S p - f)), r = S p, v = S^-1 d in the other.
     const Index n = contact_system->n_contact_unknowns();
     const Index k = contact_system->n_motions;
     scaled_load   = scale.cwiseProduct(problem.load);
@@ -149,6 +152,7 @@ namespace conetact::solvers
                                  Array::Zero(scale.size());
     if (stiffness())
       scaled_load = -scaled_load;
+    // Forces are f in stiffness form, b in the other; q is a displacement.
     load_force = stiffness() ? scaled_load.norm() : scaled_load.tail(k).norm();
     if (n > 0)
       {
@@ -161,7 +165,7 @@ namespace conetact::solvers
       return;
     // Forces over sqrt(c): in compliance form scale is sqrt(c) itself.
     const Array &given = stiffness() ? scaled_offset : scaled_load;
-    // Gaps and given displacements are loads, too: both become 1 at most.
+    // Gaps and given displacements are loads, too: all become 1 at most.
     alpha = std::max({load_force, largest(given.head(n)), 0.});
     if (load_force == 0)
       load_force = part_of_interference * interference(*contact_system, given);
@@ -174,6 +178,9 @@ namespace conetact::solvers
 
 
 
+  /* The law in units: forces are divided by the unit of force, slopes over a
+     slip or a gap multiplied by that of length over it. What the law sees of v
+     comes times step(i), which is taken back here. */
   FrictionLimit
   LinearRelation::limit(const Index  i,
                         const double r_n,
@@ -235,6 +242,7 @@ namespace conetact::solvers
 
 
 
+  /* s = r_n + b(|v_t|, g), which stands in place of r_n in all of the law. */
   LinearRelation::Array
   LinearRelation::add_bonds(const Array &r, const Array &v) const
   {
@@ -270,7 +278,10 @@ namespace conetact::solvers
 
 
 
-  /* Scaled compliances do not depend on the scale of loads. */
+  /* The own compliance of a node is 1 in scaled variables, and 1 + C with a
+     layer: step v is to r there what v is to r without one. Slopes are those
+     without load, so that a step is the same in all of an increment. The scale
+     of loads, which is not known yet here, does not enter. */
   void
   LinearRelation::set_steps()
   {
@@ -334,6 +345,8 @@ namespace conetact::solvers
 
 
 
+  /* Displacements must not enter: they grow with the error where nothing holds
+     a body, and would hide it. */
   double
   LinearRelation::force_scale(const Array &p, const Array &d) const
   {
@@ -345,6 +358,7 @@ namespace conetact::solvers
 
 
 
+  /* y += S A S x, at 2 n operations for each column whose x is not zero. */
   void
   LinearRelation::multiply_add(const Array &x, Array &y) const
   {
@@ -359,7 +373,8 @@ namespace conetact::solvers
       return;
 
     Array product = Array::Zero(sx.size());
-    // Most nodes stick or are open: then few columns count.
+    // Most nodes stick or are open: then few columns count, and those that do
+    // not are not read.
     if (2 * static_cast<Index>(columns.size()) > sx.size())
       product = multiply(*contact_system, sx);
     else

@@ -24,8 +24,7 @@ namespace conetact::solvers
       return v;
     }
 
-    /** What the start of an increment and its end differ in: load and offset.
-     */
+    /** Load and offset at the end of an increment less those at its start. */
     struct Change
     {
       VectorXd of_load, of_offset;
@@ -92,6 +91,9 @@ namespace conetact::solvers
 
 
 
+  /* Parts are halves to begin with, a quarter of one that fails, twice the size
+     of one that is solved. The law knows its path: the end is not that of one
+     step, which the report's substeps tell. */
   SolverReport
   solve_in_parts(const LoadParts      &parts,
                  const ContactProblem &problem,

@@ -11,8 +11,9 @@ namespace conetact::solvers
 {
   namespace
   {
+    /** Part of a block's trace that rounding may have left of a zero. */
     constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-  }
+  } // namespace
 
 
 

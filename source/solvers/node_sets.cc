@@ -22,7 +22,8 @@ namespace conetact::solvers
     }
 
     /** Displacements, as the law sees them, and reactions of a point, whichever
-     * is p. */
+     * is p. Reactions are p or d themselves, or a member: no copy may refer to
+     * the member of another. */
     class Fields
     {
     public:
@@ -47,7 +48,8 @@ namespace conetact::solvers
       const VectorXd &r;
     };
 
-    /** At v, as the law sees it, and pressed by s. */
+    /** The limit of friction of node i at v, as the law sees it, pressed by s.
+     */
     FrictionLimit
     limit_at(const LinearRelation &relation,
              const Index           i,
@@ -148,7 +150,8 @@ namespace conetact::solvers
           }
     }
 
-    /** Whether friction along a direction counts. */
+    /** True of a node in space that slips along a known direction, whose
+     * friction turns with the slip. */
     bool
     turns(const NodeSet &set)
     {
@@ -208,6 +211,8 @@ namespace conetact::solvers
     return sets;
   }
 
+  /* A bond adds to z_n and gives friction a limit without pressure: a node with
+     z_n <= 0 is lifted then, and sticks or slips all the same. */
   NodeSets
   sets_of_point(const LinearRelation &relation,
                 const VectorXd       &p,
@@ -263,6 +268,10 @@ namespace conetact::solvers
          -d.segment(relation.system().n_contact_unknowns() + j, 1)});
   }
 
+  /* The chain rule, from the inside out: law_of() is linear in stretched slips
+     and forces, which see_stretched() turns into those of the ellipse,
+     see_bond() into reactions without their bond, see_through() into
+     displacements of the bodies without their layer. */
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation &relation,
                   const NodeSets       &sets,
@@ -282,7 +291,7 @@ namespace conetact::solvers
         const SmallVector &v = seen.v, &r = seen.r;
         const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
         const auto         limit = limit_at(relation, i, zn, v);
-        // what is open or sticks says what v and r are, stretched or not
+        // States that are open or stick say what v and r are, stretched or not.
         const bool is_stretched = relation.has_ellipses() && turns(sets[at(i)]);
         LinearizedLaw law =
           law_of(sets[at(i)],
@@ -314,6 +323,9 @@ namespace conetact::solvers
     return result;
   }
 
+  /* The square root of sum_i |r_i - P(r_i - v_i)|^2 + |imbalance|^2, over the
+     scale of forces. In the scaled variables stiffness is about one, so that v
+     counts as the force it would take. */
   double
   law_residual(const LinearRelation &relation,
                const VectorXd       &p,
@@ -360,6 +372,8 @@ namespace conetact::solvers
     return std::sqrt(sum) / relation.force_scale(p, d);
   }
 
+  /* |r_t + limit v_t / |v_t||. For a slip askew by an angle law_residual() has
+     about |v_t| times its sine, which is nothing where the slip is short. */
   double
   askew_friction(const LinearRelation &relation,
                  const NodeSets       &sets,
@@ -417,7 +431,7 @@ namespace conetact::solvers
         const NodeState node = sets[at(i)].state;
         if (node != NodeState::open && relation.has_layers() &&
             !relation.layer(i, r(first + nt), 0).is_none())
-          continue; // its zeros are not those of displacements
+          continue; // Zero is v with its layer, not v itself.
         if (sets[at(i)].is_lifted ||
             (relation.is_bonded(i) && node == NodeState::open &&
              relation
@@ -425,7 +439,7 @@ namespace conetact::solvers
                        v.segment(first, nt).norm(),
                        std::max(v(first + nt), 0.))
                  .value != 0))
-          continue; // nor those of reactions
+          continue; // Zero is r with its bond, not r itself.
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else

@@ -11,7 +11,9 @@ namespace conetact::solvers
 {
   namespace
   {
-    /** P^T A P = [L; M] [L; M]^T + (what is below the tolerance). */
+    /** P^T A P = [L; M] [L; M]^T + (what is below the tolerance), L triangular
+     * of size rank. The largest pivot comes first, so that what is left of A is
+     * no larger than the last one. */
     struct PivotedCholesky
     {
       Eigen::MatrixXd                          factor; ///< n x rank
@@ -82,6 +84,9 @@ namespace conetact::solvers
   {
     eigen_assert(K.rows() == K.cols());
     eigen_assert(tolerance > 0);
+    // Entries below of_rounding times what K G is, though it should be zero,
+    // are rounding, too; motions that differ from known ones by less than
+    // `same` of themselves are these.
     constexpr double   of_rounding = 1e3, same = 1e-6;
     const Eigen::Index n    = K.rows();
     const double       zero = tolerance * tolerance * K.diagonal().maxCoeff();

@@ -28,13 +28,15 @@ namespace conetact::solvers
   Predictor::turns(const ContactState    &start,
                    const Eigen::VectorXd &change) const
   {
-    constexpr double cosine = .5; // of the largest angle that is none
+    constexpr double cosine = .5; // A load that turns by less goes on.
     return goes_on(start) && change.dot(last_change) <
                                cosine * change.norm() * last_change.norm();
   }
 
 
 
+  /* Numbers are compared to the last bit: a state that anything has touched
+     since is not the one that was remembered. */
   bool
   Predictor::goes_on(const ContactState &start) const
   {

@@ -26,6 +26,8 @@ namespace conetact::solvers
     return {mu * r_n, mu, 0};
   }
 
+  /* The coefficient of a node that nothing presses is the slope of its limit at
+     r_n = 0, which f / r_n tends to. */
   double
   friction_coefficient(const ContactProblem &problem,
                        const ContactState   &state,
@@ -75,6 +77,10 @@ namespace conetact::solvers
     return seen;
   }
 
+  /* Layers are linear about the state: w(r_n) = w_0 + c (r_n - r_n,0) adds c to
+     W_nn and w_0 - c r_n,0 to q_n; shear adds C_t to the diagonal and takes w_t
+     from q_t. In stiffness form there is no diagonal that compliances add to.
+   */
   ContactProblem
   with_coefficients_of(const ContactState &state, const ContactProblem &problem)
   {

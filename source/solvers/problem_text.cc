@@ -67,6 +67,7 @@ namespace conetact::solvers
     MatrixXd
     read_block(std::istream &in, const std::string &name)
     {
+      // A first number that is wrong must not ask for all memory there is.
       constexpr Index most = 1 << 28; // numbers, 2 GB
       Index           rows = 0, columns = 0;
       if (!(in >> rows >> columns) || rows < 1 || columns < 1 ||
@@ -106,7 +107,7 @@ namespace conetact::solvers
       return blocks;
     }
 
-    /** Of that size, or nothing where it may be missing. */
+    /** Takes a block of that size; without rows where it may be missing. */
     MatrixXd
     take(Blocks            &blocks,
          const std::string &name,

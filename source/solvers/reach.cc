@@ -16,7 +16,12 @@ namespace conetact::solvers
 
   namespace
   {
-    /** Projection on a friction cone and one element of its derivative. */
+    /**
+     * Projection on a friction cone and one element of its derivative. On the
+     * mantle, with e = x_t / |x_t| and the ray (mu e, 1), the value is
+     * h (mu e, 1), h = (mu |x_t| + x_n) / (1 + mu^2), and the derivative
+     * ray ray^T / (1 + mu^2) + mu h / |x_t| (I - e e^T) in tangents.
+     */
     void
     project_node(const SmallVector &x,
                  const double       mu,
@@ -55,7 +60,7 @@ namespace conetact::solvers
 
 
 
-    /** The same on r_n >= 0, |r_t| <= radius. */
+    /** Projection on r_n >= 0, |r_t| <= radius, and its derivative. */
     void
     project_on_disc(const SmallVector &x,
                     const double       radius,
@@ -80,8 +85,11 @@ namespace conetact::solvers
     using Projection = decltype(&project_node);
 
     /**
-     * One proximal step: z = c + R^T P(r - sigma R z), the gradient of a
-     * strongly convex function of z. Writes the new r.
+     * One proximal step: z = c + R^T P(r - sigma R z), which says that the
+     * gradient vanishes of
+     * |z|^2 / 2 - c.z + |P(r - sigma R z)|^2 / (2 sigma), strongly convex in z.
+     * Its semismooth Hessian is I + sigma R^T P' R, of the size of the motions.
+     * Writes the new r = P(r - sigma R z).
      */
     class ProximalStep
     {
@@ -106,6 +114,7 @@ namespace conetact::solvers
         for (unsigned int i = 0; i < 50; ++i)
           {
             const double size = gradient.norm();
+            // c has the length one, and r is a sum with sigma R z.
             if (size <= 2e-15 * (1 + sigma * z.norm()))
               break;
             const VectorXd step  = -hessian.ldlt().solve(gradient);
@@ -116,7 +125,7 @@ namespace conetact::solvers
               {
                 z = from + tau * step;
                 evaluate(sigma, old, z);
-                // near the end the value is round-off, the gradient is not
+                // Near the end the value is round-off, the gradient is not.
                 if (value <= start + 1e-4 * tau * slope ||
                     gradient.norm() <= .5 * size)
                   break;
@@ -165,7 +174,11 @@ namespace conetact::solvers
       double   value = 0;
     };
 
-    /** c is of length one. */
+    /**
+     * Proximal points: r minimises |R^T r + c|^2 / 2 + |r - old|^2 / (2 sigma)
+     * over the cones. It ends where z is zero to 1e-13 of c, which is of length
+     * one, or where r changes no more.
+     */
     Reach
     nearest(const ContactSystem &layout,
             const MatrixXd      &R,
@@ -181,11 +194,12 @@ namespace conetact::solvers
         {
           const VectorXd old = r;
           step.solve(sigma, z, r);
-          // by how much z fails to prove that it is the nearest
+          // That is by how much z fails to prove that it is the nearest.
           const double error = (r - old).norm() / sigma;
           if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
             break;
-          // sigma z, not sigma, decides on speed and on cancellation
+          // Speed grows with sigma, but r - sigma R z cancels once sigma |z| is
+          // large beside r: a thousand at most.
           sigma = std::min(10 * sigma, 1e3 / z.norm());
         }
       return result;

@@ -22,7 +22,7 @@ namespace conetact::solvers
     /** Interior point steps at most, and in a row without half the residual. */
     constexpr unsigned int most_steps = 100, most_stalls = 15;
 
-    /** Sweeps before anything else. */
+    /** Sweeps that are made before anything else. */
     constexpr unsigned int few_sweeps = 100;
 
     class RedundantContacts : public ContactSolver
@@ -94,6 +94,7 @@ namespace conetact::solvers
 
 
 
+    /* Factorisations count as linear solves: each has one. */
     bool
     RedundantContacts::polish(VectorXd p)
     {
@@ -116,7 +117,7 @@ namespace conetact::solvers
 
 
 
-    /* From the best state so far. */
+    /* Sweeps from the best state so far; their result is polished. */
     bool
     RedundantContacts::relax(const unsigned int sweeps)
     {

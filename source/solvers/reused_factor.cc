@@ -17,7 +17,7 @@ namespace conetact::solvers
     /** Vectors of the Krylov space: beyond, a new factor is cheaper. */
     constexpr Index max_directions = 40;
 
-    /** Rotates (a, b) to (r, 0). */
+    /** Rotates (a, b) to (r, 0), as Givens does it. */
     struct Rotation
     {
       float c = 1, s = 0;
@@ -42,6 +42,8 @@ namespace conetact::solvers
 
 
 
+  /* A pivot below 1e-6 of the largest is rounding: single precision has 6e-8,
+     which grows in the elimination. */
   bool
   ReusedFactor::factorize(const Matrix &A, const std::vector<Index> &numbers)
   {
@@ -64,6 +66,7 @@ namespace conetact::solvers
 
 
 
+  /* Both lists of numbers ascend: one pass over them finds all pairs. */
   void
   ReusedFactor::match(const Matrix &A, const std::vector<Index> &numbers)
   {
@@ -100,6 +103,9 @@ namespace conetact::solvers
 
 
 
+  /* The earlier matrix may have had unknowns that are gone, and lacked some of
+     the present ones: its factor solves for all of its own, of which those that
+     are left are taken. */
   ReusedFactor::Vector
   ReusedFactor::precondition(const Vector &b) const
   {
@@ -193,6 +199,8 @@ namespace conetact::solvers
   {
     eigen_assert(b.size() == A.rows());
     eigen_assert(static_cast<Index>(numbers.size()) == A.rows());
+    // Single precision gives 3e-6 at best; with a new factor 3e-5 is enough, as
+    // nothing better could follow.
     match(A, numbers);
     if (!worth_trying(A.rows()))
       // The diagonal is tried first, without a factor.

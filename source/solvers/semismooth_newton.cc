@@ -12,10 +12,10 @@ namespace conetact::solvers
 {
   namespace
   {
-    /** Of the least residual so far: what is more is no gain. */
+    /** A residual of more than this times the least one so far is no gain. */
     constexpr double progress_of_note = .98;
 
-    /** The shortest part of a step. */
+    /** No part of a step is shorter: it is halved five times at most. */
     constexpr double shortest = .02;
 
     /** The least residuals so far, relative and as forces: reactions that
@@ -30,7 +30,8 @@ namespace conetact::solvers
         , least_force(std::isfinite(residual) ? residual * of_forces : residual)
       {}
 
-      /** How much a step has gained. */
+      /** How much a step has gained: the ratio of residuals, and of forces
+       * where these have fallen, too. */
       double
       see(const double residual, const double forces_now)
       {
@@ -80,6 +81,10 @@ namespace conetact::solvers
 
 
 
+  /* Where nodes that hold a body all slip, as far as the sets know, the matrix
+     is singular, though some of them may stick and hold it. So the strongest
+     one is stuck, then all of them; the last way is a step that makes what is
+     left of the motion small. */
   std::optional<NewtonPoint>
   SemismoothNewton::full_step(const NewtonPoint &point,
                               const double       precision,
@@ -97,7 +102,7 @@ namespace conetact::solvers
                   point,
                   precision,
                   report);
-    // one that slips again at once does not hold either
+    // A node that slips again at once does not hold the body either.
     if (end && signature(sets_of_point(relation, end->p, end->d)) !=
                  signature(point.sets))
       return end;
@@ -142,6 +147,12 @@ namespace conetact::solvers
 
 
 
+  /* Full steps converge quadratically once the states are right, but nothing
+     makes residuals fall before that. So an iteration may rise for a while: it
+     is watched for states that come again and for a residual that falls no
+     more, and cut to steps that gain (damped) only then. It ends where the
+     residual is below the goal and another step is worth nothing, where it is
+     rounding, or where the same states do not change it any more. */
   std::string
   SemismoothNewton::iterate(NewtonPoint  &point,
                             SolverReport &report,

@@ -106,8 +106,8 @@ namespace conetact::solvers
     return law;
   }
 
-  /* Of v' = S v and r' = r / S with S = diag(a, 1/a, 1), and a changes with
-     both. */
+  /* The law is one of v' = S v and r' = r / S with S = diag(a, 1/a, 1), where a
+     changes with both: dv' = S dv + S' v da, dr' = dr / S - S' r / S^2 da. */
   void
   see_stretched(const Aspect      &aspect,
                 const SmallVector &v,
@@ -136,6 +136,8 @@ namespace conetact::solvers
     law.B.col(nt) += aspect.by_force * by_aspect;
   }
 
+  /* r = seen - b(|v_t|, g): d seen = dr + b_slip e.dv_t + b_gap dg in the
+     normal component, and B takes that to the columns of v. */
   void
   see_bond(const Bond &bond, const SmallVector &v, LinearizedLaw &law)
   {
@@ -147,6 +149,9 @@ namespace conetact::solvers
     law.A.col(nt) += bond.by_gap * law.B.col(nt);
   }
 
+  /* T and C are the derivatives of see(): slips change by C_t dr_t, the gap by
+     by_force dr_n and by by_slip along the slip as it is seen, so with shear,
+     too. A law times `step` is one of v' = step v. */
   void
   see_through(const Layer       &layer,
               const double       step,

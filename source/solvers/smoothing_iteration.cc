@@ -326,6 +326,9 @@ namespace conetact::solvers
 
 
 
+  /* Newton's direction of H = 0: node by node the laws A dv + B dr = h without
+     lambda and y, then dd = (M + eps) dp + rho of all nodes, then lambda and y
+     again. The system has no unknown more than the relation itself. */
   bool
   SmoothingIteration::direction(const Defect &residual, Point &delta)
   {
@@ -345,7 +348,7 @@ namespace conetact::solvers
     append_balance(relation, x.d, laws);
     for (NodeLaw &law : laws)
       // dd = (M + eps) dp + rho, and NewtonSystem knows M only.
-      law.p += eps * law.d;
+      law.p += eps * law.d; // P + D (M + eps) = (P + eps D) + D M
     if (!newton.solve(
           relation, laws, residual.relation, options.precision, delta.p))
       return false;
@@ -428,6 +431,8 @@ namespace conetact::solvers
 
 
 
+  /* It gives up where 30 steps in a row have not taken a tenth off the least
+     residual: steps of an inner loop may well raise it for a while. */
   bool
   SmoothingIteration::advance(const double target)
   {

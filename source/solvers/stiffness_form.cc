@@ -23,7 +23,8 @@ namespace conetact::solvers
     split_motions(dual->matrix.bottomRightCorner(k, k));
     const MatrixXd G = dual->matrix.topRightCorner(n, k);
     MatrixXd       W = dual->matrix.topLeftCorner(n, n);
-    // what foundations resist follows from the reactions
+    // Motions that foundations resist follow from the reactions, C a = G_r^T r
+    // + b, and add their compliance.
     G_r = G * resisted;
     W += G_r * stiffness.cwiseInverse().asDiagonal() * G_r.transpose();
     const MatrixXd G_0 = G * free;
@@ -43,7 +44,7 @@ namespace conetact::solvers
     auto           system = std::make_shared<ContactSystem>(*dual);
     const MatrixXd Y      = cholesky.solve(MatrixXd::Identity(n, n));
     YG                    = cholesky.solve(G_0);
-    // motions that no contact sees stay where they are
+    // Motions that no contact sees stay where they are.
     S = MatrixXd(free.cols(), free.cols());
     if (S.size() > 0)
       S = (G_0.transpose() * YG)
@@ -77,6 +78,8 @@ namespace conetact::solvers
     stiffness          = eigen.eigenvalues().tail(C.rows() - k);
   }
 
+  /* q + gamma G_0 b_0 + G_r C^-1 b_r, so that v = W r + q stays the same with
+     what was added to W. */
   VectorXd
   StiffnessForm::displacement(const VectorXd &given) const
   {

@@ -40,7 +40,8 @@ namespace conetact::solvers
       return factor.solve(MatrixXd::Identity(pivots.size(), pivots.size()));
     }
 
-    /** By their reactions: where these are alike, so are displacements. */
+    /** Solutions differ if their reactions do: these determine displacements,
+     * up to motions of bodies that float. */
     bool
     differ(const ContactProblem &problem,
            const ContactState   &a,
@@ -53,7 +54,8 @@ namespace conetact::solvers
     }
 
     /** A start in which nodes have these states; in the plane those that slip
-     * do so along `sign`. */
+     * do so along `sign`. Reactions and slips are of the size of the
+     * solution's, as directions of slip are read off r - v. */
     ContactState
     start_with(const ContactProblem         &problem,
                const ContactState           &solution,
@@ -85,7 +87,7 @@ namespace conetact::solvers
     }
 
     /** Calls visit(states, signs) until it returns true: for states that are
-     * all alike, and for some by chance. */
+     * all alike, and for some by chance, which are the same in each run. */
     template <typename Visit>
     void
     visit_some(const std::size_t n, const Visit &visit)
@@ -124,6 +126,8 @@ namespace conetact::solvers
       factor = find_factor();
   }
 
+  /* M = (1/2) sum_i mu_i (s_i (K e_n,i) (K e_n,i)^T + E_t,i / s_i): by the
+     inequality of the means it bounds mu_i |(K x)_n,i| |x_t,i| for every s. */
   MatrixXd
   UniquenessCheck::perturbation(const VectorXd &s) const
   {
@@ -145,6 +149,8 @@ namespace conetact::solvers
     return .5 * sum;
   }
 
+  /* A factor exists in spite of rounding if the matrix is definite by much more
+     than rounding: a part of K's diagonal is taken off first. */
   bool
   UniquenessCheck::holds(const double c, const MatrixXd &M) const
   {
@@ -155,6 +161,7 @@ namespace conetact::solvers
     return Eigen::LLT<MatrixXd, Eigen::Lower>(rest).info() == Eigen::Success;
   }
 
+  /* M x at the cost of two products, where M itself takes n^3. */
   VectorXd
   UniquenessCheck::perturb(const VectorXd &s, const VectorXd &x) const
   {
@@ -171,8 +178,11 @@ namespace conetact::solvers
     return .5 * (K * forces + sum);
   }
 
-  /* Where the matrix is nearest to singular, both terms of each node are made
-     more alike, which is where their sum is least. */
+  /* Weights s that make the largest eigenvalue of M x = lambda K x small, as
+     the proof holds up to c = 1 / lambda. Powers of K^-1 M lead to the x of the
+     largest one; there s |(K x)_n|^2 + |x_t|^2 / s is least for
+     s = |x_t| / |(K x)_n|, towards which each s goes by 1.3 at most a round. No
+     proof hangs on this: whatever s it finds is checked by a factor. */
   VectorXd
   UniquenessCheck::balanced(VectorXd s) const
   {
@@ -207,12 +217,14 @@ namespace conetact::solvers
     return best;
   }
 
+  /* The largest c for which K - c M is definite, found by halving: each trial
+     takes a Cholesky factor, n^3 / 3. Of two sets of weights the better one. */
   double
   UniquenessCheck::find_factor() const
   {
     constexpr double exact = 1e-4;
     const MatrixXd   W = K.llt().solve(MatrixXd::Identity(K.rows(), K.rows()));
-    VectorXd         alone(system->n_nodes()); // best for nodes of their own
+    VectorXd         alone(system->n_nodes()); // Best where nodes are alone.
     for (Index i = 0; i < alone.size(); ++i)
       {
         const Index first = system->first[i], n = system->normal(i);
@@ -253,7 +265,8 @@ namespace conetact::solvers
           if (!search.other && differ(problem, state, one))
             search.other = std::move(one);
         search.n_tried = all.n_tried;
-        // a search that has lost the one that is known proves nothing
+        // A search that has not even found the one that is known proves
+        // nothing.
         search.is_complete =
           !search.other && all.open.empty() && !all.found.empty();
       }

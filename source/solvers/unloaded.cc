@@ -15,11 +15,16 @@ namespace conetact::solvers
     using Eigen::MatrixXd;
     using Eigen::VectorXd;
 
-    /** Of the largest interference: what is less is rounding. */
+    /** An interference of less than this part of the largest gap is rounding.
+     */
     constexpr double rounding = 1e-14;
   } // namespace
 
-  /* Rows join that the motion pushes in, until there are none. */
+  /* An active set that only grows: rows join that the motion pushes in, until
+     there are none, as rows that need not push get the multiplier zero. So the
+     problem of complementarity has the size of few of all rows. G G^T is
+     semidefinite, singular if rows depend on each other: Lemke's method ends in
+     a solution all the same, or shows that there is none. */
   std::optional<VectorXd>
   shortest_way_out(const MatrixXd &rows, const VectorXd &gap)
   {
@@ -52,11 +57,12 @@ namespace conetact::solvers
         a   = G.transpose() * z;
         now = gap + rows * a;
       }
-    if (now.minCoeff() < -1e3 * zero)
+    if (now.minCoeff() < -1e3 * zero) // more than rounding
       return {};
     return a;
   }
 
+  /* v = q or v = o: nothing moves but what is prescribed. */
   std::optional<ContactState>
   stay_without_load(const ContactProblem &problem, const ContactState &start)
   {
@@ -84,6 +90,8 @@ namespace conetact::solvers
 
 
 
+  /* v = q + G a with the shortest a that leaves no interference: a choice among
+     many, since nothing determines where such a body goes. */
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start)
   {

@@ -13,6 +13,12 @@ namespace conetact::solvers
   {
     using Eigen::Index;
 
+    /**
+     * The laws as they are, but for two slopes: friction seems not to fall with
+     * the slip, and without a bond to grow with pressure as a cone through the
+     * present point does, f / s, if its own slope is less. Values stay those of
+     * the laws, so that a residual of zero solves the problem itself.
+     */
     class WithoutFall : public NodalLaws
     {
     public:
