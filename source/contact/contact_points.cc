@@ -169,9 +169,9 @@ namespace conetact::contact
     AssertDimension(nodes.size(), bodies.contact_nodes.size());
     const solvers::ContactSystem before =
       std::exchange(contact_layout, solvers::ContactSystem());
-    found_again         = std::move(nodes);
-    found_traits.n_held = 0;
-    n_all               = 0;
+    found_again  = std::move(nodes);
+    found_traits = {};
+    n_all        = 0;
     points.clear();
     const std::string why = add_all(times);
     bool same             = why.empty() && contact_layout.first == before.first;

@@ -17,7 +17,6 @@ namespace conetact::contact
     /** Means over the nodes of a contact, by their areas. */
     struct Face
     {
-      unsigned int n_nodes = 0;
       Point<3>     centre;
       Tensor<1, 3> normal;
     };
@@ -32,7 +31,6 @@ namespace conetact::contact
           {
             // Nodes without areas count alike if none has one, else not.
             const double part = node.area > 0 ? node.area : 1e-300;
-            ++face.n_nodes;
             area += part;
             face.centre += part * Tensor<1, 3>(node.position);
             face.normal += part * node.n;

@@ -90,9 +90,6 @@ namespace conetact::contact
       v /= v.norm();
       for (unsigned int d = 0; d < 3; ++d)
         v[d] = std::round(1e4 * v[d]) / 1e4;
-      for (unsigned int d = 3; d-- > 0;)
-        if (v[d] != 0)
-          return to_text(v);
       return to_text(v);
     }
   } // namespace

@@ -47,6 +47,23 @@ namespace conetact::verification
     }
 
     /**
+     * What makes moments of nodes forces: the extent of a body whose nodes
+     * rotate; 0: they do not, or it is a point [length].
+     */
+    double
+    lever_of(const model::Bodies &bodies,
+             const unsigned int   body,
+             const Point<3>      &centre)
+    {
+      const bodies::Structure &structure = *bodies.structures[body];
+      double                   reach     = 0;
+      if (structure.n_components() > bodies.dim)
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+          reach = std::max(reach, bodies.position(body, i).distance(centre));
+      return 2 * reach;
+    }
+
+    /**
      * Adds forces to the sums of the scene and of their body. The scene has
      * moments about the origin, a body about the mean of its nodes. Magnitudes
      * are added up beside the sums: they are the scale of what the sums may
@@ -60,7 +77,10 @@ namespace conetact::verification
         , all(e)
       {
         for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-          centres.push_back(centre_of(bodies, body));
+          {
+            centres.push_back(centre_of(bodies, body));
+            levers.push_back(lever_of(bodies, body, centres.back()));
+          }
         all.bodies.resize(bodies.structures.size());
       }
 
@@ -79,8 +99,11 @@ namespace conetact::verification
         model::Resultant  unseen;
         model::Resultant &sum = is_cut(body) ? unseen : resultant;
         sum.force += force;
-        balance.forces += force.norm();
-        balance.largest = std::max(balance.largest, force.norm());
+        // A body that couples alone load has forces of their rounding.
+        const double couple =
+          levers[body] > 0 ? moment.norm() / levers[body] : 0.;
+        balance.forces += force.norm() + couple;
+        balance.largest = std::max({balance.largest, force.norm(), couple});
         balance.largest_moment =
           std::max(balance.largest_moment, moment.norm());
         if (bodies.structures[body]->is_axisymmetric())
@@ -176,6 +199,7 @@ namespace conetact::verification
       const model::Bodies  &bodies;
       ExternalForces       &all;
       std::vector<Point<3>> centres;
+      std::vector<double>   levers; ///< of moments, of each body
     };
 
     /** Gives what is left at nodes that supports hold to these supports, each

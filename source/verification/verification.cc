@@ -160,8 +160,8 @@ namespace conetact::verification
                              const bool         turns,
                              const Index        unknown) {
       // A moment becomes a force by the extent of the body.
-      const double error =
-        std::abs(free[unknown]) / (turns ? 2 * motions.size(body) : 1.);
+      const double lever = turns ? 2 * motions.size(body) : 1.;
+      const double error = std::abs(free[unknown]) / lever;
       const double scale = scales.nodal[body];
       // Without forces the scale is 0, and rounding over it infinite.
       if (error <= std::max(.1 * scales.noise, out.rounding[body]))
@@ -180,10 +180,10 @@ namespace conetact::verification
       // The rounding of K w is no fault of the solution. As w carries no rigid
       // motion this is no loophole: a body that floats away gains nothing by
       // it.
-      double left = error - 8 * eps * terms[dof] - scales.noise;
+      double allowed = 8 * eps * terms[dof];
       if (out.carried.size() > 0)
-        left -= out.carried[dof];
-      const double e  = relative(left, scale);
+        allowed += out.carried[dof];
+      const double e  = relative(error - allowed / lever - scales.noise, scale);
       out.equilibrium = std::max(out.equilibrium, e);
       if (e > tolerance && first_wrong.error == 0)
         first_wrong = {e, body};

@@ -26,6 +26,24 @@ def beam_between_nodes(laws):
                 laws.check(f"beam: deflection at {x}, t = {row['time']}", abs(float(row[f"{name}_u_y"]) - exact), 1e-9)
 
 
+def couples(laws):
+    """A cantilever that a couple alone bends: no force acts on it, whatever the units."""
+    for unit in (1.0, 1e-3, 1e3):
+        length, stiffness, m = 2 * unit, 3.0, .7
+        scene = {"Dimension": 2,
+                 "Body beam": {"Kind": "frame", "Sections": "s",
+                               "Frame": {"Nodes": f"1: 0, 0 ; 2: {length}, 0 ; 3: {1.5 * length}, 0", "Members": "1-2-3: s",
+                                         "Boundary ids": f"1: x < {.1 * length} ; 2: x == {length} ; 3: x > {1.1 * length}"},
+                               "Section s": {"Young modulus": stiffness, "Area": unit**2, "Moment of inertia": unit**4}},
+                 "Obstacle floor": {"Shape": "half space", "Normal": "0, 1", "Point": f"0, {-length}"},
+                 "Contact tip": contact(body="beam", ids=3, mu=.3),
+                 "Support wall": support(1, "x, y, rz", body="beam"),
+                 "Load couple": load("nodal force", f"0 ; 0 ; {m * unit**3}", 2, body="beam"),
+                 "Output": {"VTU": 0, "Probes": f"p: {length}, 0"}}
+        found = laws.run(scene, bounds=False).probe("p")
+        laws.check(f"couple alone, units {unit}: deflection", abs(found[1] * stiffness / (m * length**2 / unit / 2) - 1), 1e-9)
+
+
 def whole_forces(laws):
     """Forces and moments of given size: their resultants, and the moment about the point where they act."""
     plate = {"Dimension": 2, "Body block": box((7, 3), (2.0, 1.0), Rotation=23), "Support left": support(0, "x, y"), "Output": {"VTU": 0}}
@@ -134,6 +152,7 @@ def stages(laws):
 
 def loads(laws):
     beam_between_nodes(laws)
+    couples(laws)
     whole_forces(laws)
     weights(laws)
     stages(laws)
