@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace conetact::analysis
 {
@@ -301,11 +302,10 @@ namespace conetact::analysis
     const std::size_t n = closed.pressures.size();
     sentences[c] =
       "contact '" + contacts.contact(c).name + "': what presses is narrower " +
-      "than cells resolve (" + std::to_string(n) +
-      (n == 1 ? " node presses" : " nodes press") +
-      ", none of them between others that press): its force is right, its "
-      "pressures are those of the mesh. Where they matter use smaller cells, "
-      "at least four across what presses.";
+      "than cells resolve: only " + std::to_string(n) +
+      (n == 1 ? " node presses" : " nodes press, none of them between others") +
+      ". Its force is right, but its pressures depend on the mesh. Where they "
+      "matter use smaller cells, at least four across what presses.";
   }
 
   std::string
@@ -371,7 +371,7 @@ namespace conetact::analysis
   void
   ContactNotices::say_never_closed(Log &log) const
   {
-    std::vector<std::string> names, gaps;
+    std::vector<std::string> names, gaps; // equal ones once
     for (unsigned int c = 0; c < has_closed.size(); ++c)
       if (!has_closed[c] && scene.pairings[c].n_paired > 0 &&
           least_gaps[c] < std::numeric_limits<double>::max() && // it has nodes
@@ -380,6 +380,8 @@ namespace conetact::analysis
           names.push_back("'" + scene.contact_names[c] + "'");
           gaps.push_back(to_text(least_gaps[c]));
         }
+    if (std::set<std::string>(gaps.begin(), gaps.end()).size() == 1)
+      gaps.resize(1);
     if (names.empty())
       return;
     const bool one = names.size() == 1;
@@ -387,7 +389,7 @@ namespace conetact::analysis
             join(names) + (one ? " never closes" : " never close") +
             ": no node presses in the whole run, and the least gap at its end "
             "is " +
-            join(gaps) +
+            join(gaps) + (gaps.size() < 2 ? "" : ", in this order") +
             ". Where that is not meant, check places, loads and boundary ids.");
   }
 } // namespace conetact::analysis

@@ -106,10 +106,14 @@ namespace conetact::analysis
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
         const pairing::Contact &contact = scene.contacts[c];
-        if (contact.slides || !scene.kinematics[c].may_tilt() ||
-            contact.obstacle != nullptr)
+        if (contact.slides || !scene.kinematics[c].may_tilt())
           continue;
         const bodies::Structure &body = *model.bodies.structures[contact.body];
+        if (contact.obstacle != nullptr)
+          {
+            note_facets(c, body.surface(contact.ids).faces);
+            continue;
+          }
         for (const bodies::SurfaceFace &face : body.surface(contact.ids).faces)
           {
             std::vector<unsigned int> corners(
@@ -122,6 +126,28 @@ namespace conetact::analysis
       }
   }
 
+  void
+  SmallKinematics::note_facets(const unsigned int                      contact,
+                               const std::vector<bodies::SurfaceFace> &faces)
+  {
+    constexpr double                                  flat = 1e-3; // rad
+    std::map<unsigned int, std::vector<Tensor<1, 3>>> normals;     // of nodes
+    for (const bodies::SurfaceFace &face : faces)
+      for (const unsigned int i : face.nodes)
+        normals[i].push_back(face.normal);
+    for (const auto &[node, at] : normals)
+      {
+        double turn = 0;
+        for (const Tensor<1, 3> &a : at)
+          for (const Tensor<1, 3> &b : at)
+            if (const double angle = std::acos(std::min(1., a * b));
+                angle <= bodies::angle_of_patches)
+              turn = std::max(turn, angle);
+        if (turn > flat)
+          facets[{contact, node}] = turn;
+      }
+  }
+
   std::map<unsigned int, std::string>
   SmallKinematics::left(const IncrementEnd &end) const
   {
@@ -130,7 +156,42 @@ namespace conetact::analysis
     add_wrong_feet(end, found);
     add_wrong_turns(end, found);
     add_turned_springs(end, found);
+    add_rolled(end, found);
     return found;
+  }
+
+  double
+  SmallKinematics::rolled(const pairing::ContactNode &node,
+                          const IncrementEnd         &end) const
+  {
+    if (node.obstacle == nullptr || node.slides ||
+        model.frames.has(node.body) ||
+        facets.count({node.contact, node.node}) == 0)
+      return 0;
+    const Tensor<1, 3> turn = model.motions.turn(end.amounts, node.body);
+    return (turn - (turn * node.n) * node.n).norm();
+  }
+
+  /* Nodes that press keep pressing as a round body rolls, at the arm of their
+     undeformed places: a moment that nothing real has. */
+  void
+  SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
+  {
+    if (scene.path.follows)
+      return;
+    const auto closed = [&](const std::size_t i) {
+      return end.increment.state.node[i] != solvers::NodeState::open;
+    };
+    for (std::size_t i = 0; i < model.points.size(); ++i)
+      if (const pairing::ContactNode &node = *model.points[i].node;
+          closed(i) && found.count(node.contact) == 0)
+        if (const double turn = rolled(node, end);
+            turn > 0 && turn > facets.at({node.contact, node.node}))
+          found.emplace(node.contact,
+                        model.bodies.called(node.body) + " rolls by " +
+                          to_text(turn) + " rad at its contact node " +
+                          to_text(node.position) +
+                          ", more than its faces turn from one to the next");
   }
 
   void
@@ -387,7 +448,8 @@ namespace conetact::analysis
         const auto                  found = largest.find(node.contact);
         if (found == largest.end() || !(found->second > 0))
           continue;
-        const double tilt = turn_of_normal(node, end).norm();
+        const double tilt =
+          std::max(turn_of_normal(node, end).norm(), rolled(node, end));
         if (tilt * force_of(point) > (node.mu_1 + node.mu_2 > 0 ?
                                         largest_tilt_of_friction :
                                         largest_tilt) *

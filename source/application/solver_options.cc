@@ -95,11 +95,9 @@ namespace conetact::application
         "Preconditioner",
         iterative::preconditioner_table().front().name,
         dealii::Patterns::Selection(names),
-        "Backend = iterative: what corrects where the smoother of the mesh "
-        "hardly does" +
-          text +
-          ". Results do not depend on it but for "
-          "rounding.");
+        "Backend = iterative: coarse-grid correction for errors that the "
+        "smoother cannot reduce" +
+          text + ". Results depend on it by rounding only.");
       prm.declare_entry(
         "Backend",
         "automatic",

@@ -104,9 +104,8 @@ namespace conetact::bodies
       if (!goes_round)
         throw InputError(body + ", Element: " + element +
                          " is not for bodies of revolution (Plane = "
-                         "axisymmetric), whose strains round the axis its "
-                         "modes do not know, or where its nodes on the axis "
-                         "have no area. Use Q1 or Q1 B-bar.");
+                         "axisymmetric), only Q1 and Q1 B-bar are. Choose one "
+                         "of these.");
     }
 
     /** Of the element that is chosen by itself. */

@@ -250,6 +250,10 @@ namespace conetact::bodies
                               "revolution y. Leave the entry empty.");
       if (!point.empty())
         load.point = Point<3>(to_vector(point, dim, in + "Point"));
+      if (structure.is_axisymmetric() && load.point[0] != 0)
+        throw InputError(in + "Point: " + point +
+                         " is beside the axis of the bodies of revolution, x = "
+                         "0, about which they spin. Leave the entry empty.");
       load.axis[structure.is_axisymmetric() ? 1 : 2] = 1;
       if (axis.empty())
         return;
@@ -300,8 +304,13 @@ namespace conetact::bodies
                                in + "Boundary ids");
     if ((load.kind == Load::Kind::moment || load.kind == Load::Kind::bearing) &&
         structures[load.body]->is_axisymmetric())
-      throw InputError(in + "Kind: nothing turns a body of revolution out of "
-                            "its plane. Choose a force, along y.");
+      throw InputError(
+        in + "Kind: " +
+        (load.kind == Load::Kind::moment ?
+           "nothing turns a body of revolution out of its plane. Choose a "
+           "force, along y." :
+           "a pin presses one side of a bore, and bodies of revolution are "
+           "loaded alike all round. Choose a pressure."));
     load.is_rigid = is_rigid(prm);
     if (load.is_rigid)
       read_rigid(prm, dim, *structures[load.body], in, load);

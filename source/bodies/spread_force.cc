@@ -44,24 +44,33 @@ namespace conetact::bodies
       return sum;
     }
 
+    using PrincipalAxes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
+
+    PrincipalAxes
+    principal_axes(const Tensor<2, 3> &J)
+    {
+      Eigen::Matrix3d matrix;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          matrix(i, j) = J[i][j];
+      return PrincipalAxes(matrix);
+    }
+
     /** Faces on a line have no inertia about it, however it lies: it is left
      * out. */
     Tensor<2, 3>
     inverse(const Tensor<2, 3> &J)
     {
-      constexpr double none = 1e-12; // of the sum: rounding
-      Eigen::Matrix3d  matrix;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          matrix(i, j) = J[i][j];
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(matrix);
-      const double                                         size = trace(J);
-      const Eigen::Vector3d                                of_axes =
+      constexpr double      none = 1e-12; // of the sum: rounding
+      const PrincipalAxes   axes = principal_axes(J);
+      const double          size = trace(J);
+      const Eigen::Vector3d of_axes =
         axes.eigenvalues().unaryExpr([&](const double value) {
           return value > none * size ? 1 / value : 0.;
         });
-      matrix = axes.eigenvectors() * of_axes.asDiagonal() *
-               axes.eigenvectors().transpose();
+      const Eigen::Matrix3d matrix = axes.eigenvectors() *
+                                     of_axes.asDiagonal() *
+                                     axes.eigenvectors().transpose();
       Tensor<2, 3> result;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
@@ -142,9 +151,51 @@ namespace conetact::bodies
         integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &normal) {
           return -k * pressed(normal) * normal[c];
         });
-    return [k, pressed, rest, area = area](const Point<3> &,
-                                           const Tensor<1, 3> &normal) {
-      return -k * pressed(normal) * normal + rest / area;
-    };
+    const auto pressure =
+      [k, pressed, rest, area = area](const Point<3> &,
+                                      const Tensor<1, 3> &normal) {
+        return -k * pressed(normal) * normal + rest / area;
+      };
+    const Tensor<1, 3> turn = -turning(pressure);
+    return
+      [pressure, turn, *this](const Point<3> &p, const Tensor<1, 3> &normal) {
+        return pressure(p, normal) + traction(p, Tensor<1, 3>(), turn);
+      };
+  }
+
+  /* All normals of a bore lead through its axis, and so does the force of a
+     pin: a moment about it is an error of integration on facets. With N = int n
+     n^T the axis a is where N has nothing, and goes through the point c that
+     int (1 - n n^T) (p - c) = 0 has. */
+  Tensor<1, 3>
+  SpreadForce::turning(const SurfaceField &field) const
+  {
+    constexpr double round = .01; // of the area: else faces are nearly plane
+    Tensor<2, 3>     N, across;
+    Tensor<1, 3>     of_points;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          N[i][j] =
+            integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &n) {
+              return n[i] * n[j];
+            });
+          across[i][j] = (i == j ? area : 0.) - N[i][j];
+          of_points[i] +=
+            integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &n) {
+              return ((i == j ? 1. : 0.) - n[i] * n[j]) * p[j];
+            });
+        }
+    const PrincipalAxes axes = principal_axes(N);
+    if (!(axes.eigenvalues()[1] > round * area))
+      return {};
+    Tensor<1, 3> axis;
+    for (unsigned int d = 0; d < 3; ++d)
+      axis[d] = axes.eigenvectors()(d, 0);
+    const Point<3> c(inverse(across) * of_points);
+    return axis *
+           integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &n) {
+             return axis * dealii::cross_product_3d(p - c, field(p, n));
+           });
   }
 } // namespace conetact::bodies

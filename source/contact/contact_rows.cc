@@ -301,6 +301,84 @@ namespace conetact::contact
     row.state                          = solvers::NodeState::stick;
   }
 
+  namespace
+  {
+    /** Means over slaves, in space. */
+    struct Means
+    {
+      Tensor<1, 3> normal, u, du;
+      double       gap = 0, weight = 0;
+
+      void
+      add(const double share, const model::ContactRow &row)
+      {
+        weight += share;
+        gap += share * row.gap;
+        // The normal of the master points to the slave, the other way, and so
+        // do displacements: those of the master relative to the slave.
+        normal -= share * row.normal;
+        u -= share * row.in_space(row.u);
+        du -= share * row.in_space(row.du);
+      }
+    };
+
+    /** What slaves hand on to a master node. */
+    struct SumOfSlaves
+    {
+      model::ContactRow row;
+      Tensor<1, 3>      reaction, pressing; // in space
+      Means             weighed, plain;
+      double            largest = 0;
+
+      /** A slave with this weight w on the master. */
+      void
+      add(const double weight, const model::ContactRow &slave)
+      {
+        // A master meets several nodes: it has the state of the one that it
+        // carries most of.
+        if (weight > largest)
+          row.state = slave.state;
+        largest = std::max(largest, weight);
+        row.area += weight * slave.area;
+        // Weights are a little below zero beside a face that is overhung.
+        // Forces add up with their sign, or the body would not balance; means
+        // need weights above zero.
+        const double share = std::abs(weight);
+        weighed.add(share, slave);
+        plain.add(1, slave);
+        reaction -= weight * slave.in_space(slave.reaction);
+        pressing -= share * slave.in_space(slave.reaction);
+        row.covered += share * slave.area;
+        row.wear += share * slave.area * slave.wear_opposite;
+      }
+
+      model::ContactRow
+      finished(const unsigned int dim)
+      {
+        // Feet that stand on another node leave the rounding of weights, which
+        // says nothing of whose means these are.
+        constexpr double rounding = 1e-6;
+        const bool       is_met   = weighed.weight > rounding;
+        const Means     &means    = is_met ? weighed : plain;
+        if (!is_met)
+          row.state = solvers::NodeState::open;
+        row.normal               = means.normal / means.normal.norm();
+        std::tie(row.t1, row.t2) = pairing::tangents(row.normal, dim);
+        const auto in_row        = [&](const Tensor<1, 3> &v) {
+          return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
+        };
+        row.gap      = means.gap / means.weight;
+        row.u        = in_row(means.u / means.weight);
+        row.du       = in_row(means.du / means.weight);
+        row.reaction = in_row(reaction);
+        row.pressing = in_row(pressing);
+        if (row.covered > 0)
+          row.wear /= row.covered;
+        return row;
+      }
+    };
+  } // namespace
+
   /* A row for each master node: its reaction and area are the sums of what its
      slaves hand on, by the weights w of their rows; its gap and displacements
      are means over |w|. */
@@ -308,72 +386,29 @@ namespace conetact::contact
   ContactRows::append_masters(std::vector<model::ContactRow> &rows) const
   {
     AssertDimension(rows.size(), last.size());
-    struct Sum
-    {
-      model::ContactRow row;
-      Tensor<1, 3>      normal, reaction, pressing, u, du; // in space
-      double            weight = 0, largest = 0;
-    };
     // Keys are contact and node: a master of two contacts has a row in each.
-    std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
+    std::map<std::pair<unsigned int, unsigned int>, SumOfSlaves> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
         const pairing::ContactNode &node = *model.points.all()[i].node;
         if (node.obstacle != nullptr)
           continue; // a free one is no body with nodes to be told
-        const model::ContactRow &row = last[i];
         for (const auto &[master, weight] : node.masters)
-          {
-            if (weight == 0) // a node that takes no part has no normal
-              continue;
-            Sum &sum = sums[{row.contact, master}];
-            // A master meets several nodes: it has the state of the one that it
-            // carries most of.
-            if (weight > sum.largest)
-              sum.row.state = row.state;
-            sum.largest  = std::max(sum.largest, weight);
-            sum.row.node = master;
-            sum.row.position =
-              model.bodies.structures[node.master]->position(master);
-            sum.row.foot = sum.row.position;
-            sum.row.acts = sum.row.position;
-            sum.row.area += weight * row.area;
-            // Weights are a little below zero beside a face that is overhung.
-            const double share = std::abs(weight);
-            sum.row.gap += share * row.gap;
-            sum.weight += share;
-            // The normal of the master points to the slave, the other way, and
-            // so do displacements: those of the master relative to the slave.
-            sum.normal -= share * row.normal;
-            // Forces add up with their sign, or the body would not balance;
-            // means need weights above zero.
-            sum.reaction -= weight * row.in_space(row.reaction);
-            sum.pressing -= share * row.in_space(row.reaction);
-            sum.row.covered += share * row.area;
-            sum.row.wear += share * row.area * row.wear_opposite;
-            sum.u -= share * row.in_space(row.u);
-            sum.du -= share * row.in_space(row.du);
-          }
+          if (weight != 0) // a node that takes no part has no normal
+            {
+              SumOfSlaves &sum = sums[{last[i].contact, master}];
+              sum.add(weight, last[i]);
+              sum.row.node = master;
+              sum.row.position =
+                model.bodies.structures[node.master]->position(master);
+            }
       }
     for (auto &[key, sum] : sums)
       {
-        model::ContactRow &row = sum.row;
-        row.contact            = master_side[key.first];
-        row.master             = true;
-        row.normal             = sum.normal / sum.normal.norm();
-        std::tie(row.t1, row.t2) =
-          pairing::tangents(row.normal, model.bodies.dim);
-        const auto in_row = [&](const Tensor<1, 3> &v) {
-          return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
-        };
-        row.gap /= sum.weight;
-        row.u        = in_row(sum.u / sum.weight);
-        row.du       = in_row(sum.du / sum.weight);
-        row.reaction = in_row(sum.reaction);
-        row.pressing = in_row(sum.pressing);
-        if (row.covered > 0)
-          row.wear /= row.covered;
-        rows.push_back(row);
+        sum.row.contact = master_side[key.first];
+        sum.row.master  = true;
+        sum.row.foot = sum.row.acts = sum.row.position;
+        rows.push_back(sum.finished(model.bodies.dim));
       }
   }
 } // namespace conetact::contact

@@ -222,9 +222,13 @@ namespace conetact::pairing
         "obstacle '" + contact.obstacle->name + "' is curved";
       SmoothNormals                       seen;
       std::map<unsigned int, std::size_t> at;
+      std::set<unsigned int>              met;
       for (const ContactNode &node : nodes)
         if (node.contact == number)
-          at[node.node] = seen.add(node.n);
+          {
+            at[node.node] = seen.add(node.n);
+            met.insert(node.node);
+          }
       for (const bodies::SurfaceFace &face :
            structure.surface(contact.ids).faces)
         for (const unsigned int one : face.nodes)
@@ -239,7 +243,12 @@ namespace conetact::pairing
                (turn_along(node, node.t1) > flat ||
                 (dim == 3 && turn_along(node, node.t2) > flat));
       };
-      return std::any_of(nodes.begin(), nodes.end(), is_round) ? curved : "";
+      if (std::any_of(nodes.begin(), nodes.end(), is_round))
+        return curved;
+      // A round body rolls on a plane.
+      SmoothNormals all;
+      Side          own(structure.surface(contact.ids), met, 1, all);
+      return own.spread() > flat ? "its faces are curved" : "";
     }
   } // namespace
 

@@ -27,9 +27,10 @@ namespace conetact::pairing
          "finite sliding where obstacles or bodies turn, and as soon as "
          "bodies slide by more than a cell or turn by more than 0.25 rad; "
          "small elsewhere. Curved sides that are only pressed and sheared "
-         "stay small; one warning tells where their normals turn by more than "
-         "a hundredth, which finite sliding would follow. log.txt says which "
-         "was taken, and why. Load paths, adaptive meshes, Prestress, a Gap, "
+         "stay small. A warning names contacts whose normals turn by more than "
+         "0.01 rad, or 0.004 rad where friction acts; use finite sliding "
+         "there. Round bodies that roll by more than a cell take it "
+         "themselves. log.txt says which was taken, and why. Load paths, adaptive meshes, Prestress, a Gap, "
          "frames as masters, bilateral contacts and bodies that meet "
          "themselves do not go with finite sliding and stay small; a run that "
          "would then be wrong by more than a hundredth warns or ends"},

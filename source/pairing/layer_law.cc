@@ -202,10 +202,10 @@ namespace conetact::pairing
                       "1",
                       Anything(),
                       "Number of times that the slip of an increment happens: "
-                      "100 computes 100 cycles by the increments of one. The "
-                      "log says at the end of a run by how much half of it "
-                      "would change depths, for which each increment is solved "
-                      "twice more. [-]");
+                      "100 computes 100 cycles by the increments of one. At "
+                      "the end of a run the log estimates how depths of wear "
+                      "would change with half this value. For that each "
+                      "increment is solved two more times. [-]");
     prm.declare_entry(
       "Wear integration",
       "explicit",

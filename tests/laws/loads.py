@@ -122,12 +122,15 @@ def weights(laws):
         mesh = {"Generator": "hyper_cube_with_cylindrical_hole", "Arguments": "0.4 : 1 : 1 : 2 : true", "Global refinements": 2}
         plate = {"Dimension": dim, "Body block": {"Mesh": mesh, "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
                  "Support sides": support(0, "x, y" if dim == 2 else "x, y, z"), "Output": {"VTU": 0}}
-        force = (3.0, 4.0, 0.0)[:dim]
         bore = 4 if dim == 2 else 6
-        plate["Load pin"] = load("bearing", " ; ".join(map(repr, force)), bore)
-        row = laws.run(plate, bounds=False).increments[-1]
-        laws.check(f"{dim}D: a pin's force", math.dist((row["load_pin_f_x"], row["load_pin_f_y"]), (3, 4)) / 5, 1e-12)
-        laws.check("  through the axis of its bore", abs(row["load_pin_m_z"]) / 5, 1e-12)
+        # along an edge of the mesh, along none, and with kinks of the pressure within faces
+        for element, size, degrees in (("Q1", 5.0, math.degrees(math.atan2(4, 3))), ("Q1", 500.0, 17), ("Q2", 500.0, 17), ("Q2", 1.0, 211)):
+            force = (size * math.cos(math.radians(degrees)), size * math.sin(math.radians(degrees)), 0.0)[:dim]
+            pinned = merge(plate, {"Body block": {"Element": element}, "Load pin": load("bearing", " ; ".join(map(repr, force)), bore)})
+            row = laws.run(pinned, bounds=False).increments[-1]
+            laws.check(f"{dim}D, {element}: a pin's force along {degrees:.0f} degrees",
+                       math.dist((row["load_pin_f_x"], row["load_pin_f_y"]), force[:2]) / size, 1e-12)
+            laws.check("  through the axis of its bore", abs(row["load_pin_m_z"]) / size, 1e-12)
 
 
 def stages(laws):

@@ -102,6 +102,32 @@ def planet(laws):
     laws.check("  and it turns", abs(turned / (goes * (1 + 2 * sun / (ring - sun))) - 1), 2e-3)
 
 
+def groove(laws):
+    """A roller in a groove of 90 degrees under its weight W spins at the moment sqrt(2) mu W R / (1 + mu^2): what turns it
+    beyond that has no equilibrium, though feet that stay where they were would give it one."""
+    radius, mu, weight, young = 10.0, .1, 100.0, 210e3
+    limit = math.sqrt(2) * mu * weight * radius / (1 + mu * mu)
+
+    def scene(part, refinements):
+        foot = radius / math.sqrt(2)
+        return {"Dimension": 2,
+                "Body roller": {"Mesh": {"Generator": "hyper_ball", "Arguments": f"0, 0 : {radius} : false",
+                                         "Global refinements": refinements, "Boundary ids": "1: y < 0 ; 2: y > 0"},
+                                "Material": {"Young modulus": young, "Poisson ratio": .3}},
+                "Obstacle left": {"Shape": "half space", "Normal": "1, 1", "Point": (-foot, -foot)},
+                "Obstacle right": {"Shape": "half space", "Normal": "-1, 1", "Point": (foot, -foot)},
+                "Contact l": contact("roller", 1, "left", mu), "Contact r": contact("roller", 1, "right", mu),
+                "Load w": {"Body": "roller", "Kind": "body force", "Value": f"0 ; {-weight / (math.pi * radius**2)!r}*min(t, 1)"},
+                "Load m": {"Body": "roller", "Boundary ids": 2, "Kind": "moment", "Value": f"{part * limit!r}*max(t - 1, 0)"},
+                "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}}
+    for refinements in (4, 5):
+        run = laws.run(scene(.9, refinements), bounds=False)
+        laws.demand(f"groove, {refinements} refinements: nine tenths of the moment are held", run.increments[-1]["time"] == 2)
+        for part in (1.5, 2.5):
+            laws.demand(f"  {part} of it are not", laws.start(scene(part, refinements))[0].returncode == 2)
+
+
 def rolling(laws):
     caster(laws)
+    groove(laws)
     planet(laws)

@@ -65,6 +65,15 @@ namespace conetact::analysis
     add_wrong_turns(const IncrementEnd &end, Found &found) const;
     void
     add_turned_springs(const IncrementEnd &end, Found &found) const;
+    void
+    add_rolled(const IncrementEnd &end, Found &found) const;
+    /** How far a round body has rolled on an obstacle at a node of it [rad]; 0
+     * where it is not round. */
+    double
+    rolled(const pairing::ContactNode &node, const IncrementEnd &end) const;
+    void
+    note_facets(const unsigned int                      contact,
+                const std::vector<bodies::SurfaceFace> &faces);
     pairing::RigidMotion
     obstacle_motion(const pairing::ContactNode &node,
                     const Eigen::VectorXd      &amounts,
@@ -79,6 +88,8 @@ namespace conetact::analysis
     std::map<std::pair<unsigned int, unsigned int>,
              std::vector<std::vector<unsigned int>>>
       faces_at;
+    /** How far smooth faces turn at nodes of contacts with obstacles [rad]. */
+    std::map<std::pair<unsigned int, unsigned int>, double> facets;
   };
 } // namespace conetact::analysis
 

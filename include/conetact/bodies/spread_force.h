@@ -33,8 +33,9 @@ namespace conetact::bodies
     /**
      * The same force as a pressure c_+ on faces whose inward normal has the
      * cosine c with it, as a pin presses on its half of a bore; what that
-     * lacks, where the faces are no half of a circle, is spread evenly. Throws
-     * InputError where no face looks that way.
+     * lacks, where the faces are no half of a circle, is spread evenly. It goes
+     * through the axis of the bore. Throws InputError where no face looks that
+     * way.
      */
     SurfaceField
     bearing(const Tensor<1, 3> &force) const;
@@ -46,6 +47,11 @@ namespace conetact::bodies
     }
 
   private:
+    /** The moment of a field about the axis of a bore; 0 where faces are none.
+     */
+    Tensor<1, 3>
+    turning(const SurfaceField &field) const;
+
     const Structure &body; ///< which outlives it
     BoundaryIds      ids;
     std::string      where; ///< what errors begin with
