@@ -17,12 +17,12 @@ namespace conetact::application
     /** Parts of a stage at which linearity is checked. */
     constexpr double parts[] = {.1, .25, .381966, .5, .75, .9};
 
-    /** Throws InputError where values(t) is not linear in each stage. */
+    /** Why values(t) is not linear in each stage; empty: it is. */
     template <typename Values>
-    void
-    check_linear(const std::vector<double> &times,
-                 const std::string         &entry,
-                 const Values              &values)
+    std::string
+    why_not_linear(const std::vector<double> &times,
+                   const std::string         &entry,
+                   const Values              &values)
     {
       double          start = 0;
       Eigen::VectorXd first = values(0.);
@@ -37,15 +37,16 @@ namespace conetact::application
                 values(start + part * (end - start)) -
                 (first + part * (last - first));
               if (!(solvers::largest(bend) <= 1e-11 * size))
-                throw InputError(
-                  entry + ": it is not linear in t between t = " +
-                  to_text(start) + " and t = " + to_text(end) +
-                  ". Along a load path loads change in proportion: give the "
-                  "times of its bends in Time/Times.");
+                return entry +
+                       ": it is not linear in t between t = " + to_text(start) +
+                       " and t = " + to_text(end) +
+                       ". Along a load path loads change in proportion: give "
+                       "the times of its bends in Time/Times.";
             }
           first = last;
           start = end;
         }
+      return "";
     }
 
     bool
@@ -195,56 +196,115 @@ namespace conetact::application
   void
   Scene::check_stages() const
   {
+    for (const std::string &why : {bent_load(), bent_motion()})
+      if (!why.empty())
+        throw InputError(why);
+  }
+
+
+
+  std::string
+  Scene::bent_load() const
+  {
     for (const bodies::Load &load : loads)
       {
-        if (!load.uses_time())
-          continue;
         const bodies::Structure &structure = *bodies.structures[load.body];
-        check_linear(times,
-                     "Load '" + load.name + "', Value",
-                     [&](const double t) {
-                       Eigen::VectorXd f =
-                         Eigen::VectorXd::Zero(structure.n_dofs());
-                       load.add(structure, t, f);
-                       return f;
-                     });
+        const auto               forces    = [&](const double t) {
+          Eigen::VectorXd f = Eigen::VectorXd::Zero(structure.n_dofs());
+          load.add(structure, t, f);
+          return f;
+        };
+        const std::string why =
+          load.uses_time() ?
+            why_not_linear(times, "Load '" + load.name + "', Value", forces) :
+            "";
+        if (!why.empty())
+          return why;
       }
+    return "";
+  }
+
+
+
+  std::string
+  Scene::bent_motion() const
+  {
+    std::string why;
+    const auto  check = [&](const std::string &entry, const auto &values) {
+      if (why.empty())
+        why = why_not_linear(times, entry, values);
+    };
     for (const bodies::Support &support : bodies.supports)
       {
-        const auto &nodes = support.surface.nodes;
-        const auto  check = [&](const Expression  &expression,
-                               const std::string &entry) {
-          check_linear(
-            times,
-            "Support '" + support.name + "', " + entry,
-            [&](const double t) {
-              Eigen::VectorXd u(static_cast<Eigen::Index>(nodes.size()));
-              for (Eigen::Index i = 0; i < u.size(); ++i)
-                u[i] =
-                  expression(nodes[static_cast<std::size_t>(i)].position, t);
-              return u;
-            });
+        const auto &nodes  = support.surface.nodes;
+        const auto  values = [&](const Expression &expression) {
+          return [&](const double t) {
+            Eigen::VectorXd u(static_cast<Eigen::Index>(nodes.size()));
+            for (Eigen::Index i = 0; i < u.size(); ++i)
+              u[i] = expression(nodes[static_cast<std::size_t>(i)].position, t);
+            return u;
+          };
         };
         for (const Expression &e : support.displacement)
-          check(e, "Displacement");
+          check("Support '" + support.name + "', Displacement", values(e));
         for (const bodies::Support::Rotation &rotation : support.rotations)
-          check(rotation.angle, "Rotation");
+          check("Support '" + support.name + "', Rotation",
+                values(rotation.angle));
       }
     for (const pairing::ContactNode &node : bodies.contact_nodes)
       if (node.growth)
-        check_linear(times,
-                     "Contact '" + contacts[node.contact].name + "', Gap",
-                     [&](const double t) {
-                       return Eigen::Matrix<double, 1, 1>(node.growth(t));
-                     });
+        check("Contact '" + contacts[node.contact].name + "', Gap",
+              [&](const double t) {
+                return Eigen::Matrix<double, 1, 1>(node.growth(t));
+              });
     for (const pairing::Obstacle &obstacle : obstacles)
       if (moves(obstacle.displacement))
-        check_linear(times,
-                     "Obstacle '" + obstacle.name + "', Displacement",
-                     [&](const double t) {
-                       const Tensor<1, 3> d = obstacle.displacement_at(t);
-                       return Eigen::Vector3d(d[0], d[1], d[2]);
-                     });
+        check("Obstacle '" + obstacle.name + "', Displacement",
+              [&](const double t) {
+                const Tensor<1, 3> d = obstacle.displacement_at(t);
+                return Eigen::Vector3d(d[0], d[1], d[2]);
+              });
+    return why;
+  }
+
+
+
+  bool
+  Scene::has_moments() const
+  {
+    return std::any_of(loads.begin(),
+                       loads.end(),
+                       [](const bodies::Load &load) {
+                         return load.kind == bodies::Load::Kind::moment;
+                       });
+  }
+
+
+
+  bool
+  Scene::may_follow_path() const
+  {
+    const auto is_of_increments = [&](const pairing::Contact &contact) {
+      return contact.spring || contact.may_part() || contact.preload ||
+             contact.bond || contact.fluid;
+    };
+    const auto has_law = [&](const pairing::ContactNode &node) {
+      return node.friction || (node.cohesion > 0 && bodies.dim == 3);
+    };
+    const auto turns = [](const bodies::Support &support) {
+      return support.turn.has_value();
+    };
+    return bodies.n_rigid == 0 && adaptive.cycles == 0 && !judges_uniqueness &&
+           !follows_branches && fclib_increments.empty() &&
+           checkpoint_every == 0 && !restart && stage_ends().size() < 2 &&
+           std::none_of(contacts.begin(), contacts.end(), is_of_increments) &&
+           std::none_of(bodies.contact_nodes.begin(),
+                        bodies.contact_nodes.end(),
+                        has_law) &&
+           std::none_of(bodies.supports.begin(),
+                        bodies.supports.end(),
+                        turns) &&
+           bent_load().empty() && bent_motion().empty();
   }
 
 

@@ -100,6 +100,12 @@ namespace conetact::application
      */
     void
     check_stages() const;
+    /** Whether Solver/Method = load path would take the scene. */
+    bool
+    may_follow_path() const;
+    /** Whether any load is a moment. */
+    bool
+    has_moments() const;
 
     model::Bodies            bodies;
     std::vector<std::string> contact_names, support_names, load_names;
@@ -232,6 +238,11 @@ namespace conetact::application
     bodies_at_rest() const;
     void
     check_path() const;
+    /** What is not linear in t, a sentence; empty: nothing. */
+    std::string
+    bent_load() const;
+    std::string
+    bent_motion() const;
     void
     settle_friction();
     void
