@@ -26,7 +26,8 @@ namespace conetact::analysis
   {
     /**
      * Bodies that face each other nowhere may be meant so, and are warned of;
-     * throws InputError for a contact that supports leave nothing of.
+     * throws InputError for a contact that supports leave nothing of, at any
+     * time.
      */
     void
     check_empty_contacts(const application::Scene    &scene,
@@ -43,7 +44,12 @@ namespace conetact::analysis
             "contact '" + scene.contact_names[c] +
             "': nothing touches, for no node faces the master within its "
             "Reach. Check Master boundary ids and the bodies' places.");
-        else if (empty[c] && scene.n_shared[c] < scene.pairings[c].n_paired)
+        else if (!empty[c] || scene.n_shared[c] >= scene.pairings[c].n_paired)
+          continue;
+        else if (scene.has_stages()) // others leave it nodes
+          log.note("contact " + scene.contact_names[c] +
+                   ": supports or ties hold all of its nodes for a while");
+        else
           throw InputError(
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: supports or ties hold all of them along "
@@ -194,7 +200,13 @@ namespace conetact::analysis
           description.breaking.push_back(c);
       }
     description.judges_uniqueness = scene.judges_uniqueness;
-    description.follows_branches  = scene.follows_branches;
+    description.has_moments =
+      std::any_of(scene.loads.begin(),
+                  scene.loads.end(),
+                  [](const bodies::Load &load) {
+                    return load.kind == bodies::Load::Kind::moment;
+                  });
+    description.follows_branches = scene.follows_branches;
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
     if (scene.restart)

@@ -60,8 +60,9 @@ namespace conetact::analysis
                            const double t) const
   {
     constexpr double longest = .2, shortest = .01, level = 1e-3; // of the face
-    pairing::ContactNode     node = model.points.nodes()[face.node];
-    const bodies::Structure &body = *model.bodies.structures[node.body];
+    constexpr unsigned int most_steps = 100; // a face may be stretched by much
+    pairing::ContactNode   node       = model.points.nodes()[face.node];
+    const bodies::Structure &body     = *model.bodies.structures[node.body];
     node.slaves.clear(); // a point of the face
     std::vector<Point<3>> corners;
     Point<3>              p;
@@ -81,7 +82,8 @@ namespace conetact::analysis
         t);
     };
     pairing::ContactNode lowest = meet(p);
-    for (double step = longest * size; step > shortest * size;)
+    double               step   = longest * size;
+    for (unsigned int k = 0; k < most_steps && step > shortest * size; ++k)
       {
         const Point<3> from = lowest.position;
         const Point<3> to =

@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/equilibrium_check.h"
 
+#include "conetact/application/method_checks.h"
 #include "conetact/contact/refusal.h"
 
 #include <algorithm>
@@ -18,6 +19,13 @@ namespace conetact::analysis
     {
       return !problem.system->large &&
              r.size() >= problem.system->n_contact_unknowns();
+    }
+
+    bool
+    could_follow_path(const application::Scene &scene)
+    {
+      return !scene.restart && scene.stages.ends(scene.times).size() < 2 &&
+             application::may_follow_path(scene, scene);
     }
   } // namespace
 
@@ -71,13 +79,18 @@ namespace conetact::analysis
     if (const std::string why = refusal_by_active(problem, increment);
         !why.empty())
       return why;
-    if (problem.laws) // its cones are others in each increment, or none
+    const auto &laws = increment.load.laws;
+    if (laws) // cones are others in each increment, or none
       reset();
-    if (!problem.has_cones())
-      return "";
+    const bool may_pull = problem.has_bonds();
     if (!existence)
       existence = std::make_unique<solvers::ExistenceCheck>(
-        contact::make_existence_check(run.model));
+        contact::make_existence_check(run.model,
+                                      laws && !may_pull ?
+                                        laws->largest_coefficients() :
+                                        run.model.points.layout().mu));
+    if (may_pull)
+      return "";
     const solvers::Existence result =
       existence->check(run.model.elasticity().contact_load(problem),
                        load_at_start(problem, increment.before),
@@ -88,12 +101,25 @@ namespace conetact::analysis
              std::string("no equilibrium exists") +
                (contacts_change ? " with contacts as they were found, " :
                                   ", ") +
-               describe(result, run.model, *increment.mechanical);
+               describe(result, run.model, *increment.mechanical) +
+               (problem.has_cones() ?
+                  "" :
+                  ", by the largest coefficients that its laws allow");
+  }
+
+  solvers::Holding
+  EquilibriumCheck::holding(const PendingIncrement &increment,
+                            const Eigen::VectorXd  &r) const
+  {
+    if (increment.load.laws)
+      return increment.load.laws->holding(r);
+    return solvers::ExistenceCheck::holding_of_cones(run.model.points.layout(),
+                                                     r);
   }
 
   std::optional<solvers::Existence>
   EquilibriumCheck::limit_state(const solvers::ContactProblem &problem,
-                                const contact::ContactHistory &before,
+                                const PendingIncrement        &increment,
                                 const Eigen::VectorXd         &r) const
   {
     const Eigen::Index n = problem.system->n_contact_unknowns();
@@ -101,36 +127,55 @@ namespace conetact::analysis
       return {};
     const solvers::Existence limit =
       existence->limit_state(run.model.elasticity().contact_load(problem),
-                             load_at_start(problem, before),
-                             r.head(n));
+                             load_at_start(problem, increment.before),
+                             r.head(n),
+                             [&](const Eigen::VectorXd &at) {
+                               return holding(increment, at);
+                             });
     return limit.admissible ? std::nullopt : std::optional(limit);
   }
 
   bool
   EquilibriumCheck::is_limit(const solvers::ContactProblem &problem,
-                             const contact::ContactHistory &before,
-                             const Eigen::VectorXd         &r) const
+                             const PendingIncrement        &increment,
+                             const Eigen::VectorXd         &r,
+                             const double                   more) const
   {
     const Eigen::Index n = problem.system->n_contact_unknowns();
     return existence && has_contact_reactions(problem, r) &&
-           existence->is_limit(run.model.elasticity().contact_load(problem),
-                               load_at_start(problem, before),
-                               r.head(n));
+           existence->is_limit(
+             run.model.elasticity().contact_load(problem),
+             load_at_start(problem, increment.before),
+             r.head(n),
+             [&](const Eigen::VectorXd &at) { return holding(increment, at); },
+             more);
   }
 
   std::string
   EquilibriumCheck::limit(const solvers::ContactProblem &problem,
                           const PendingIncrement        &increment) const
   {
-    const auto found = limit_state(problem, increment.before, increment.end.r);
-    return found ? "no equilibrium exists, " +
-                     describe_limit(*found,
-                                    increment.end.r.head(
-                                      problem.system->n_contact_unknowns()),
-                                    run.scene.contact_names,
-                                    run.model,
-                                    *increment.mechanical) :
-                   "";
+    const auto found = limit_state(problem, increment, increment.end.r);
+    if (!found)
+      return "";
+    const std::vector<bool> &wet = increment.wet;
+    if (std::find(wet.begin(), wet.end(), true) != wet.end())
+      return "no equilibrium exists, " +
+             describe_motion(*found, run.model, *increment.mechanical) +
+             ", as fluids press it. Apply less pressure, or more load against "
+             "it";
+    const Eigen::VectorXd last =
+      increment.end.r.head(problem.system->n_contact_unknowns());
+    return "no equilibrium exists, " +
+           describe_limit(*found,
+                          last,
+                          holding(increment, last).friction,
+                          run.scene.contact_names,
+                          run.model,
+                          *increment.mechanical) +
+           (could_follow_path(run.scene) ?
+              ", or let Solver/Method = load path find the limit" :
+              "");
   }
 
   std::string

@@ -28,13 +28,16 @@ namespace conetact::analysis
 
     /** A share of the load of a part is none of the whole increment. */
     std::string
-    of_part(std::string why)
+    of_part(std::string why, const double begin)
     {
       const std::string part = "of the load of this part of the increment";
-      for (const std::string whole :
-           {"of this increment's load", "of the load of this increment"})
+      const std::pair<std::string, std::string> words[] = {
+        {"of this increment's load",
+         part + ", from t = " + to_text(begin) + " on,"},
+        {"of the load of this increment", part}};
+      for (const auto &[whole, instead] : words)
         if (const std::size_t at = why.find(whole); at != std::string::npos)
-          why.replace(at, whole.size(), part);
+          why.replace(at, whole.size(), instead);
       return why;
     }
 
@@ -144,7 +147,9 @@ namespace conetact::analysis
         if (failure)
           failure.why =
             failed(increment.record,
-                   parts.is_cut() ? of_part(failure.why) : failure.why);
+                   parts.is_cut() ?
+                     of_part(failure.why, acceptance.accepted_time()) :
+                     failure.why);
         // how long the way of an open motion is says the end of the one before
         const bool is_early = !failure && batch.size() > 1 &&
                               solver.open_motions(increment).exist();
@@ -352,7 +357,10 @@ namespace conetact::analysis
       return false;
     const double start =
       failure.is_lost ? solver.search.time() : acceptance.accepted_time();
-    if (!parts.cut(start, duration(k), whole))
+    const auto smallest = failure.is_lost ?
+                            IncrementParts::Smallest::of_sliding :
+                            IncrementParts::Smallest::of_load;
+    if (!parts.cut(start, duration(k), whole, smallest))
       return false;
     log.note("increment " + std::to_string(k) +
              (failure.is_lost ? ": contacts that slide are not found" :

@@ -10,23 +10,27 @@ namespace conetact::analysis
   namespace
   {
     /** Of an increment: what is shorter is not cut. */
-    constexpr double shortest = 1.9 / 32;
+    constexpr double shortest = 1.9 / 32, shortest_of_load = 1.9 / 512;
   } // namespace
 
   bool
-  IncrementParts::may_be_cut(const double begin,
-                             const double duration,
-                             const double whole) const
+  IncrementParts::may_be_cut(const double   begin,
+                             const double   duration,
+                             const double   whole,
+                             const Smallest smallest) const
   {
-    return end(whole) - begin > shortest * duration;
+    return end(whole) - begin >
+           duration *
+             (smallest == Smallest::of_load ? shortest_of_load : shortest);
   }
 
   bool
-  IncrementParts::cut(const double begin,
-                      const double duration,
-                      const double whole)
+  IncrementParts::cut(const double   begin,
+                      const double   duration,
+                      const double   whole,
+                      const Smallest smallest)
   {
-    if (!may_be_cut(begin, duration, whole))
+    if (!may_be_cut(begin, duration, whole, smallest))
       return false;
     ends.push_back(begin + .5 * (end(whole) - begin));
     return true;

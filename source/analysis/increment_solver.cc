@@ -12,6 +12,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace conetact::analysis
@@ -35,13 +36,33 @@ namespace conetact::analysis
       return any;
     }
 
+    /** Whether forces are less than the rounding of what displacements do. */
+    bool
+    is_lost_in_rounding(const solvers::ContactProblem &problem,
+                        const solvers::ContactState   &start)
+    {
+      const solvers::ContactSystem &system = *problem.system;
+      if (system.large || system.form != solvers::Form::compliance)
+        return false;
+      const Eigen::Index n = system.n_contact_unknowns();
+      const double       force =
+        std::max(problem.reference_force, solvers::largest(start.r.head(n)));
+      return force * system.matrix.diagonal().head(n).mean() <
+             1e-13 * solvers::largest(problem.load.head(n));
+    }
+
     std::string
     why_unsolved(const solvers::SolverReport   &report,
-                 const solvers::ContactProblem &problem)
+                 const solvers::ContactProblem &problem,
+                 const solvers::ContactState   &start)
     {
       const std::string why = report.reason.empty() ?
                                 "the residual is " + to_text(report.residual) :
                                 report.reason;
+      if (is_lost_in_rounding(problem, start))
+        return why + ", for loads are less than the rounding of what the given "
+                     "displacements do: give loads and displacements of sizes "
+                     "that go together";
       return has_bonded_nodes(problem) ?
                why + "; where bonds give way, or fluids press bodies apart, "
                      "nothing may hold at this load: move bodies by supports, "
@@ -83,12 +104,18 @@ namespace conetact::analysis
   {
     solvers::SolverOptions options = run.scene.solver;
     options.ends_early             = [this] { return leaves_slow_increment(); };
-    options.stop     = [this] { return is_slow && Interruption::is_wanted(); };
-    options.is_limit = [this](const solvers::ContactState &last) {
+    // processes of a team see it at different times
+    options.stop = [this] {
+      return is_slow ? Interruption::is_wanted() :
+                       team().size() == 1 && Interruption::is_urgent();
+    };
+    options.is_limit = [this](const solvers::ContactState &last,
+                              const double                 more) {
       Assert(problem_at_hand != nullptr, dealii::ExcInternalError());
       return equilibrium.is_limit(*problem_at_hand,
-                                  increment_at_hand->before,
-                                  last.r);
+                                  *increment_at_hand,
+                                  last.r,
+                                  more);
     };
     return run.backend->create_solver(options, run.scene, run.model);
   }
@@ -158,7 +185,11 @@ namespace conetact::analysis
         if (is_slow && !start_is_known)
           return {"it is postponed", false, false, true};
         const std::string limit = equilibrium.limit(problem, increment);
-        return {limit.empty() ? why_unsolved(report, problem) : limit, true};
+        // Of smaller parts it is the limit, too; fluids change what is held.
+        const bool has_fluid =
+          std::count(increment.wet.begin(), increment.wet.end(), true) > 0;
+        return {limit.empty() ? why_unsolved(report, problem, guess) : limit,
+                limit.empty() || has_fluid};
       }
     if (run.scene.judges_uniqueness)
       uniqueness.judge(increment, problem);

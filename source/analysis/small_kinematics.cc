@@ -283,6 +283,7 @@ namespace conetact::analysis
           contact::relative_displacement(node, at, end.increment.record.time);
         // Opening does not move the foot, sliding does.
         slid -= (slid * node.n) * node.n;
+        constexpr double far = 10; // cells: what holds bodies lets go of them
         if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing &&
             found.count(node.contact) == 0 && !stays_open(i))
           found.emplace(node.contact,
@@ -290,7 +291,11 @@ namespace conetact::analysis
                           " of " + model.bodies.called(node.body) +
                           " has slid by " + to_text(slid.norm()) +
                           " along its master, more than a cell (" +
-                          to_text(node.spacing) + ")");
+                          to_text(node.spacing) + ")" +
+                          (slid.norm() > far * node.spacing ?
+                             ", as where loads are beyond what friction can "
+                             "hold" :
+                             ""));
       }
   }
 

@@ -33,8 +33,40 @@ namespace conetact::analysis
                                                      "contact/opened",
                                                      "wear/error",
                                                      "wear/depth"}};
-    constexpr std::size_t                 worn = 1, parted = 4, opened = 5;
-    using Remembered = std::array<double, memory.size()>;
+    constexpr std::size_t slipped = 0, worn = 1, broken = 3, parted = 4,
+                          opened = 5;
+    using Remembered             = std::array<double, memory.size()>;
+
+    /** Work against a bond that softens while a support parts it, up to this
+     * gap at time t: what it gives back when it closes is part of that. */
+    double
+    work_of_parting(const pairing::ContactNode &node,
+                    const Remembered           &before,
+                    const double                gap,
+                    const double                t)
+    {
+      constexpr unsigned int n = 1000;
+      if (!node.bond || node.bond->is_brittle())
+        return 0;
+      pairing::Situation at;
+      at.position        = node.position;
+      at.t               = t;
+      at.slipped         = before[slipped];
+      const double least = node.least_opening();
+      const double part  = (gap - before[parted]) / n;
+      const double whole = node.bond->strength(at) * node.bonded_area();
+      double       work  = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double g = before[parted] + (k + .5) * part;
+          work += whole * part *
+                  node.bond->rest(std::max(before[opened], g),
+                                  before[slipped],
+                                  least) *
+                  node.bond->unloading(g, before[opened], least);
+        }
+      return work;
+    }
 
     /** A contact node of the layout that an archive was written with. */
     struct KeptPoint
@@ -109,8 +141,11 @@ namespace conetact::analysis
     class Translation
     {
     public:
-      Translation(const contact::ContactModel &m, Archive &kept)
+      Translation(const contact::ContactModel &m,
+                  const double                 at,
+                  Archive                     &kept)
         : model(m)
+        , t(at)
         , archive(kept)
         , old(kept_points(kept.get(layout_name)))
         , directions(kept.get("contact/directions"))
@@ -258,6 +293,7 @@ namespace conetact::analysis
           return of_node;
         const double gap =
           std::max(0., point.node->gap + of_node[worn] + u[point.normal()]);
+        of_node[broken] += work_of_parting(*point.node, of_node, gap, t);
         of_node[parted] = gap;
         of_node[opened] = std::max(of_node[opened], gap);
         return of_node;
@@ -298,6 +334,7 @@ namespace conetact::analysis
       }
 
       const contact::ContactModel &model;
+      const double                 t;
       Archive                     &archive;
       std::vector<KeptPoint>       old;
       Numbers                      directions;
@@ -346,9 +383,9 @@ namespace conetact::analysis
     const Numbers now = layout_of(model.points);
     if (!archive.has(layout_name) || archive.get(layout_name) == now)
       return false;
-    using Node = pairing::ContactNode;
-    Translation     translation(model, archive);
-    const double    t    = archive.get("contact/time").at(0);
+    using Node        = pairing::ContactNode;
+    const double    t = archive.get("contact/time").at(0);
+    Translation     translation(model, t, archive);
     const auto      zero = [](const Node &) { return 0.; };
     const auto      gap  = [](const Node &node) { return node.gap; };
     Eigen::VectorXd u(model.coordinates.n_dofs());

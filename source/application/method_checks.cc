@@ -18,12 +18,12 @@ namespace conetact::application
     /** Parts of a stage at which linearity is checked. */
     constexpr double parts[] = {.1, .25, .381966, .5, .75, .9};
 
-    /** Throws InputError where values(t) is not linear in each stage. */
+    /** Why values(t) is not linear in each stage; empty: it is. */
     template <typename Values>
-    void
-    check_linear(const std::vector<double> &times,
-                 const std::string         &entry,
-                 const Values              &values)
+    std::string
+    why_not_linear(const std::vector<double> &times,
+                   const std::string         &entry,
+                   const Values              &values)
     {
       double          start = 0;
       Eigen::VectorXd first = values(0.);
@@ -38,15 +38,16 @@ namespace conetact::application
                 values(start + part * (end - start)) -
                 (first + part * (last - first));
               if (!(solvers::largest(bend) <= 1e-11 * size))
-                throw InputError(
-                  entry + ": it is not linear in t between t = " +
-                  to_text(start) + " and t = " + to_text(end) +
-                  ". Along a load path loads change in proportion: give the "
-                  "times of its bends in Time/Times.");
+                return entry +
+                       ": it is not linear in t between t = " + to_text(start) +
+                       " and t = " + to_text(end) +
+                       ". Along a load path loads change in proportion: give "
+                       "the times of its bends in Time/Times.";
             }
           first = last;
           start = end;
         }
+      return "";
     }
 
     bool
@@ -192,61 +193,116 @@ namespace conetact::application
 
 
 
-  void
-  check_linear_stages(const SceneObjects        &scene,
-                      const std::vector<double> &times)
+  namespace
   {
-    for (const bodies::Load &load : scene.loads)
-      {
-        if (!load.uses_time())
-          continue;
-        const bodies::Structure &structure =
-          *scene.bodies.structures[load.body];
-        check_linear(times,
-                     "Load '" + load.name + "', Value",
-                     [&](const double t) {
-                       Eigen::VectorXd f =
-                         Eigen::VectorXd::Zero(structure.n_dofs());
-                       load.add(structure, t, f);
-                       return f;
-                     });
-      }
-    for (const bodies::Support &support : scene.bodies.supports)
-      {
-        const auto &nodes = support.surface.nodes;
-        const auto  check = [&](const Expression  &expression,
-                               const std::string &entry) {
-          check_linear(
-            times,
-            "Support '" + support.name + "', " + entry,
-            [&](const double t) {
+    /** What is not linear in t, a sentence; empty: nothing. */
+    std::string
+    bent_load(const SceneObjects &scene, const std::vector<double> &times)
+    {
+      for (const bodies::Load &load : scene.loads)
+        {
+          const bodies::Structure &structure =
+            *scene.bodies.structures[load.body];
+          const auto forces = [&](const double t) {
+            Eigen::VectorXd f = Eigen::VectorXd::Zero(structure.n_dofs());
+            load.add(structure, t, f);
+            return f;
+          };
+          const std::string why =
+            load.uses_time() ?
+              why_not_linear(times, "Load '" + load.name + "', Value", forces) :
+              "";
+          if (!why.empty())
+            return why;
+        }
+      return "";
+    }
+
+
+
+    std::string
+    bent_motion(const SceneObjects &scene, const std::vector<double> &times)
+    {
+      std::string why;
+      const auto  check = [&](const std::string &entry, const auto &values) {
+        if (why.empty())
+          why = why_not_linear(times, entry, values);
+      };
+      for (const bodies::Support &support : scene.bodies.supports)
+        {
+          const auto &nodes  = support.surface.nodes;
+          const auto  values = [&](const Expression &expression) {
+            return [&](const double t) {
               Eigen::VectorXd u(static_cast<Eigen::Index>(nodes.size()));
               for (Eigen::Index i = 0; i < u.size(); ++i)
                 u[i] =
                   expression(nodes[static_cast<std::size_t>(i)].position, t);
               return u;
-            });
-        };
-        for (const Expression &e : support.displacement)
-          check(e, "Displacement");
-        for (const bodies::Support::Rotation &rotation : support.rotations)
-          check(rotation.angle, "Rotation");
-      }
-    for (const pairing::ContactNode &node : scene.bodies.contact_nodes)
-      if (node.growth)
-        check_linear(times,
-                     "Contact '" + scene.contacts[node.contact].name + "', Gap",
-                     [&](const double t) {
-                       return Eigen::Matrix<double, 1, 1>(node.growth(t));
-                     });
-    for (const pairing::Obstacle &obstacle : scene.obstacles)
-      if (moves(obstacle.displacement))
-        check_linear(times,
-                     "Obstacle '" + obstacle.name + "', Displacement",
-                     [&](const double t) {
-                       const Tensor<1, 3> d = obstacle.displacement_at(t);
-                       return Eigen::Vector3d(d[0], d[1], d[2]);
-                     });
+            };
+          };
+          for (const Expression &e : support.displacement)
+            check("Support '" + support.name + "', Displacement", values(e));
+          for (const bodies::Support::Rotation &rotation : support.rotations)
+            check("Support '" + support.name + "', Rotation",
+                  values(rotation.angle));
+        }
+      for (const pairing::ContactNode &node : scene.bodies.contact_nodes)
+        if (node.growth)
+          check("Contact '" + scene.contacts[node.contact].name + "', Gap",
+                [&](const double t) {
+                  return Eigen::Matrix<double, 1, 1>(node.growth(t));
+                });
+      for (const pairing::Obstacle &obstacle : scene.obstacles)
+        if (moves(obstacle.displacement))
+          check("Obstacle '" + obstacle.name + "', Displacement",
+                [&](const double t) {
+                  const Tensor<1, 3> d = obstacle.displacement_at(t);
+                  return Eigen::Vector3d(d[0], d[1], d[2]);
+                });
+      return why;
+    }
+  } // namespace
+
+  void
+  check_linear_stages(const SceneObjects        &scene,
+                      const std::vector<double> &times)
+  {
+    for (const std::string &why :
+         {bent_load(scene, times), bent_motion(scene, times)})
+      if (!why.empty())
+        throw InputError(why);
+  }
+
+
+
+  bool
+  may_follow_path(const SceneObjects &scene, const RunSettings &settings)
+  {
+    const auto is_of_increments = [&](const pairing::Contact &contact) {
+      return contact.spring || contact.may_part() || contact.preload ||
+             contact.bond || contact.fluid;
+    };
+    const auto has_law = [&](const pairing::ContactNode &node) {
+      return node.friction || (node.cohesion > 0 && scene.bodies.dim == 3);
+    };
+    const auto turns = [](const bodies::Support &support) {
+      return support.turn.has_value();
+    };
+    return scene.bodies.n_rigid == 0 && settings.adaptive.cycles == 0 &&
+           !settings.judges_uniqueness && !settings.follows_branches &&
+           settings.fclib_increments.empty() &&
+           settings.checkpoint_every == 0 &&
+           std::none_of(scene.contacts.begin(),
+                        scene.contacts.end(),
+                        is_of_increments) &&
+           std::none_of(scene.bodies.contact_nodes.begin(),
+                        scene.bodies.contact_nodes.end(),
+                        has_law) &&
+           std::none_of(scene.bodies.supports.begin(),
+                        scene.bodies.supports.end(),
+                        turns) &&
+           bent_load(scene, settings.times).empty() &&
+           bent_motion(scene, settings.times).empty();
   }
 
 

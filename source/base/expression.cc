@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace conetact
@@ -29,7 +30,7 @@ namespace conetact
 
     std::vector<std::string> names;  ///< of further variables
     std::vector<double>      others; ///< their values
-    std::set<std::string>    used;   ///< of them
+    std::set<std::string>    used;   ///< those that values depend on
   };
 
   namespace
@@ -198,6 +199,20 @@ namespace conetact
     }
   } // namespace
 
+  namespace
+  {
+    std::set<std::string>
+    others_in(const std::vector<std::string> &others,
+              const std::set<std::string>    &names)
+    {
+      std::set<std::string> found;
+      for (const std::string &name : others)
+        if (names.count(name) > 0)
+          found.insert(name);
+      return found;
+    }
+  } // namespace
+
   Expression::Expression(const std::string              &text,
                          const std::string              &entry,
                          const std::vector<std::string> &others)
@@ -235,9 +250,7 @@ namespace conetact
         for (const auto &[name, address] : p.mu.GetUsedVar())
           {
             (void)address;
-            if (std::count(others.begin(), others.end(), name) > 0)
-              p.used.insert(name);
-            else
+            if (std::count(others.begin(), others.end(), name) == 0)
               (name == "t" ? p.uses_time : p.uses_space) = true;
           }
         // That list has names, too, that nothing defines, and only this call
@@ -247,11 +260,32 @@ namespace conetact
         p.mu.Eval(n_values);
         if (n_values != 1)
           fail(entry, p.text, "one value is expected");
+        std::map<std::string, Bounds> anywhere;
+        for (const auto &[name, address] : p.mu.GetVar())
+          anywhere[name] = {};
+        p.used = others_in(others, bounds_of(p.text, anywhere).names);
       }
     catch (const mu::Parser::exception_type &error)
       {
         fail(entry, p.text, one_line(error.GetMsg()), others);
       }
+  }
+
+  Bounds
+  Expression::bounds(const dealii::Point<3>    &point,
+                     const double               t,
+                     const std::vector<Bounds> &others) const
+  {
+    AssertDimension(others.size(), parser->names.size());
+    std::map<std::string, Bounds> variables = {
+      {"x", {point[0], point[0]}},
+      {"y", {point[1], point[1]}},
+      {"z", {point[2], point[2]}},
+      {"t", {t, t}},
+    };
+    for (std::size_t i = 0; i < others.size(); ++i)
+      variables[parser->names[i]] = others[i];
+    return bounds_of(parser->text, variables).values;
   }
 
   double

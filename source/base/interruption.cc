@@ -6,12 +6,21 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <ctime>
 
 namespace conetact
 {
   namespace
   {
     volatile std::sig_atomic_t is_interrupted = 0;
+    timespec                   when           = {}; ///< before that is set
+
+    double
+    seconds(const timespec &t)
+    {
+      return static_cast<double>(t.tv_sec) +
+             1e-9 * static_cast<double>(t.tv_nsec);
+    }
 
     constexpr char told[] =
       "\nconetact: The increment that is running is finished first, unless it "
@@ -21,6 +30,7 @@ namespace conetact
     void
     take_interrupt(int)
     {
+      ::clock_gettime(CLOCK_MONOTONIC, &when);
       is_interrupted = 1;
       if (::write(STDERR_FILENO, told, sizeof(told) - 1) < 0)
         return; // nobody listens
@@ -55,6 +65,19 @@ namespace conetact
   Interruption::is_wanted()
   {
     return is_interrupted != 0;
+  }
+
+
+
+  bool
+  Interruption::is_urgent()
+  {
+    constexpr double patience = 1; // [s]
+    timespec         now      = {};
+    if (!is_wanted())
+      return false;
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return seconds(now) - seconds(when) > patience;
   }
 
 

@@ -391,6 +391,80 @@ namespace conetact::contact
            });
   }
 
+  double
+  IncrementLaws::most_friction(const std::size_t  i,
+                               const double       r_n,
+                               const unsigned int axis) const
+  {
+    const pairing::ContactNode &node  = *points[i].node;
+    const double                force = r_n - fluids[i];
+    const double                known = constant[i][axis];
+    double                      most  = 0;
+    if (force > 0)
+      most =
+        force *
+        (known >= 0 ?
+           known :
+           node.friction->largest_coefficient(situation(i, force, 0), axis));
+    if (bonds[i])
+      most += cohesion[i] * rest(i, 0, 0);
+    if (!node.friction)
+      return most;
+    const double area = bonds[i] ? node.bonded_area() : node.covered_area();
+    return std::clamp(node.friction->largest_force(start[i], area), 0., most);
+  }
+
+  /* What opens or slips in the increment holds no more than what has not. */
+  solvers::Holding
+  IncrementLaws::holding(const Eigen::VectorXd &r) const
+  {
+    constexpr double without_end = std::numeric_limits<double>::infinity();
+    const auto       n           = static_cast<Index>(start.size());
+    solvers::Holding most{Eigen::VectorXd::Zero(n),
+                          Eigen::VectorXd::Zero(n),
+                          Eigen::VectorXd::Zero(n)};
+    for (std::size_t i = 0; i < start.size(); ++i)
+      {
+        const auto k = static_cast<Index>(i);
+        if (!active[i])
+          continue;
+        most.push[k] = without_end;
+        if (joined[i])
+          {
+            most.friction[k] = most.pull[k] = without_end;
+            continue;
+          }
+        const double r_n = r[points[i].normal()];
+        most.friction[k] = most_friction(i, r_n, 0);
+        if (has_axes(i))
+          most.friction[k] =
+            std::max(most.friction[k], most_friction(i, r_n, 1));
+        most.pull[k] = bonds[i] ?
+                         pull(i, 0, std::max(start[i].gap, start[i].opened)) :
+                         -fluids[i];
+      }
+    return most;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::largest_coefficients() const
+  {
+    Eigen::VectorXd most =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      for (const unsigned int axis : {0U, has_axes(i) ? 1U : 0U})
+        {
+          const double known = constant[i][axis];
+          double      &mu    = most[static_cast<Index>(i)];
+          mu                 = std::max(mu,
+                        known >= 0 ?
+                                          known :
+                                          points[i].node->friction->largest_coefficient_of_all(
+                            start[i], axis));
+        }
+    return most;
+  }
+
   Eigen::VectorXd
   IncrementLaws::friction_at_start(const std::size_t i) const
   {

@@ -69,6 +69,22 @@ namespace conetact::contact
     }
   } // namespace
 
+  namespace
+  {
+    /** Whether friction or a layer of a candidate depends on how far it slips:
+     * that way is no open one. */
+    bool
+    depends_on_slip(const solvers::NodalLaws &laws,
+                    const Index               i,
+                    const double              r_n,
+                    const double              slip)
+    {
+      const double s = r_n + laws.bond(i, slip, 0).value;
+      return laws.limit(i, s, slip, 0).by_slip != 0 ||
+             laws.layer(i, r_n, slip).by_slip != 0;
+    }
+  } // namespace
+
   bool
   carries_nothing(const double reaction, const double largest_force)
   {
@@ -135,12 +151,16 @@ namespace conetact::contact
            // Limits with cohesion are known to the solver alone.
            (!bonded && is_at_limit(friction, points[i].mu * state.r[n])));
         const VectorXd along = friction.normalized();
-        if (slips)
+        const VectorXd slip  = state.v.segment(first, n - first);
+        const bool     is_free =
+          slips && !(laws != nullptr &&
+                     depends_on_slip(*laws, i, state.r[n], slip.norm()));
+        if (is_free)
           bound(along.transpose() * seen.middleRows(first, n - first),
-                along.dot(state.v.segment(first, n - first)));
-        for (Index k = first; k < n && !slips; ++k)
+                along.dot(slip));
+        for (Index k = first; k < n && !is_free; ++k)
           opposed.push_back(seen.row(k));
-        if (slips && n - first == 2)
+        if (is_free && n - first == 2)
           opposed.push_back(along[0] * seen.row(first + 1) -
                             along[1] * seen.row(first));
       }

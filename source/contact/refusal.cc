@@ -98,34 +98,38 @@ namespace conetact::contact
       return "slides " + describe(motion);
     }
 
-    std::string
-    what_happens(const solvers::Existence &refusal,
-                 const ContactModel       &model,
-                 const Eigen::VectorXd    &forces)
-    {
-      RigidMotions::Motion motion = rigid_motion(refusal, model, forces);
-      const std::string    body   = model.bodies.called(motion.body) + " ";
-      const bool           slides =
-        refusal.motion == solvers::Motion::slides ||
-        (refusal.motion == solvers::Motion::tips &&
-         mostly_translates(motion)) ||
-        // along several others
-        (refusal.motion == solvers::Motion::turns && !really_turns(motion));
-      if (slides)
-        return body + how_it_slides(refusal, model, motion);
-      if (refusal.motion != solvers::Motion::tips &&
-          refusal.motion != solvers::Motion::turns)
-        return body + "lifts off, moving " + describe(motion);
-      motion.translation = Tensor<1, 3>();
-      return body +
-             (refusal.motion == solvers::Motion::tips ? "tips over, turning " :
-                                                        "turns ") +
-             describe(motion);
-    }
+  } // namespace
 
+  std::string
+  describe_motion(const solvers::Existence &refusal,
+                  const ContactModel       &model,
+                  const Eigen::VectorXd    &forces)
+  {
+    RigidMotions::Motion motion = rigid_motion(refusal, model, forces);
+    const std::string    body   = model.bodies.called(motion.body) + " ";
+    const bool           slides =
+      refusal.motion == solvers::Motion::slides ||
+      (refusal.motion == solvers::Motion::tips && mostly_translates(motion)) ||
+      // along several others
+      (refusal.motion == solvers::Motion::turns && !really_turns(motion));
+    if (slides)
+      return body + how_it_slides(refusal, model, motion);
+    if (refusal.motion != solvers::Motion::tips &&
+        refusal.motion != solvers::Motion::turns)
+      return body + "lifts off, moving " + describe(motion);
+    motion.translation = Tensor<1, 3>();
+    return body +
+           (refusal.motion == solvers::Motion::tips ? "tips over, turning " :
+                                                      "turns ") +
+           describe(motion);
+  }
+
+  namespace
+  {
     /** Contacts that touch, and where no node has friction left. */
     std::vector<std::string>
     contacts_that_slip(const Eigen::VectorXd          &r,
+                       const Eigen::VectorXd          &friction,
                        const std::vector<std::string> &contact_names,
                        const ContactModel             &model)
     {
@@ -135,13 +139,12 @@ namespace conetact::contact
       std::vector<int>              slips(contact_names.size(), 0);
       for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
         {
-          const double r_n = r[layout.normal(i)];
           const double r_t =
             r.segment(layout.first[i], layout.n_tangents(i)).norm();
           int &state = slips[model.points[i].node->contact];
-          if (r_n <= presses * largest || layout.mu[i] == 0)
+          if (friction[i] <= presses * largest)
             continue;
-          const bool slides = r_t >= used_up * layout.mu[i] * r_n;
+          const bool slides = r_t >= used_up * friction[i];
           state             = slides && state >= 0 ? 1 : -1;
         }
       std::vector<std::string> result;
@@ -222,10 +225,12 @@ namespace conetact::contact
   } // namespace
 
   solvers::ExistenceCheck
-  make_existence_check(ContactModel &model)
+  make_existence_check(ContactModel &model, const Eigen::VectorXd &mu)
   {
-    return existence_check(without_matrix(*model.elasticity().system(), model),
-                           model);
+    AssertDimension(mu.size(), model.points.layout().n_nodes());
+    const auto system = without_matrix(*model.elasticity().system(), model);
+    system->mu        = mu;
+    return existence_check(system, model);
   }
 
   bool
@@ -285,7 +290,7 @@ namespace conetact::contact
            const ContactModel       &model,
            const Eigen::VectorXd    &forces)
   {
-    std::string text = what_happens(refusal, model, forces);
+    std::string text = describe_motion(refusal, model, forces);
     if (refusal.fraction > 1e-9)
       return text + ": of this increment's load " +
              (refusal.motion == solvers::Motion::slides ||
@@ -313,21 +318,19 @@ namespace conetact::contact
   std::string
   describe_limit(const solvers::Existence       &limit,
                  const Eigen::VectorXd          &last,
+                 const Eigen::VectorXd          &friction,
                  const std::vector<std::string> &contact_names,
                  const ContactModel             &model,
                  const Eigen::VectorXd          &forces)
   {
-    constexpr double   digits = 1e4; // more are not known
-    const auto         slips  = contacts_that_slip(last, contact_names, model);
-    solvers::Existence told   = limit;
+    constexpr double digits = 1e4; // more are not known
+    const auto slips = contacts_that_slip(last, friction, contact_names, model);
+    solvers::Existence told = limit;
     told.fraction = std::max(std::floor(digits * limit.fraction), 1.) / digits;
     return describe(told, model, forces) +
            (slips.empty() ?
               "" :
               ", where all of contact " + join(slips) + " slips") +
-           ". Apply less load" +
-           (model.bodies.n_rigid > 0 ?
-              "" :
-              ", or let Solver/Method = load path find the limit");
+           ". Apply less load";
   }
 } // namespace conetact::contact

@@ -34,15 +34,40 @@ namespace conetact::output
              std::to_string(n[1]) + " stick, " + std::to_string(n[2]) + " slip";
     }
 
-    /** Forces that are rounding noise read as 0. */
+    /** What is rounding noise reads as 0. */
     std::string
-    force(const model::Resultant &resultant, const NoiseFloor &forces)
+    clean(const Tensor<1, 3> &vector, const NoiseFloor &noise)
     {
-      Tensor<1, 3> clean;
+      Tensor<1, 3> result;
       for (unsigned int d = 0; d < 3; ++d)
-        clean[d] = forces.clean(resultant.force[d]);
-      return to_text(clean);
+        result[d] = noise.clean(vector[d]);
+      return to_text(result);
     }
+
+    /** Of an increment, in words. */
+    class Resultants
+    {
+    public:
+      Resultants(const RunDescription         &run,
+                 const model::IncrementRecord &record)
+        : forces(noise_of_forces(record))
+        , moments(noise_of_moments(record))
+        , tells_moments(run.has_moments)
+      {}
+
+      std::string
+      operator()(const model::Resultant &resultant) const
+      {
+        return "force " + clean(resultant.force, forces) +
+               (tells_moments ? ", moment about the origin " +
+                                  clean(resultant.moment, moments) :
+                                "");
+      }
+
+    private:
+      const NoiseFloor forces, moments;
+      const bool       tells_moments;
+    };
 
     template <typename Line>
     void
@@ -71,13 +96,13 @@ namespace conetact::output
     std::string
     external(const RunDescription         &run,
              const model::IncrementRecord &last,
-             const NoiseFloor             &forces)
+             const Resultants             &text)
     {
       std::vector<std::string> parts;
       if (!run.supports.empty())
-        parts.push_back("supports: force " + force(last.supports, forces));
+        parts.push_back("supports: " + text(last.supports));
       if (!run.loads.empty())
-        parts.push_back("loads: force " + force(last.loads, forces));
+        parts.push_back("loads: " + text(last.loads));
       return join(parts);
     }
   } // namespace
@@ -89,14 +114,14 @@ namespace conetact::output
                 const model::IncrementRecord &last,
                 const std::set<unsigned int> &faceted)
   {
-    const NoiseFloor         forces = noise_of_forces(last);
-    std::vector<std::string> lines  = {states(run, last)};
+    const Resultants         resultant(run, last);
+    std::vector<std::string> lines = {states(run, last)};
     add_list(
       std::min(run.contacts.size(), last.contacts.size()),
       "increments.csv",
       [&](const std::size_t c) {
-        return "contact " + run.contacts[c] + ": force " +
-               force(last.contacts[c], forces);
+        return "contact " + run.contacts[c] + ": " +
+               resultant(last.contacts[c]);
       },
       lines);
     add_list(
@@ -106,7 +131,7 @@ namespace conetact::output
         return tension(run.preloads[k], last.preloads[k]);
       },
       lines);
-    if (const std::string line = external(run, last, forces); !line.empty())
+    if (const std::string line = external(run, last, resultant); !line.empty())
       lines.push_back(line);
     if (const model::LargestDisplacement &moved = last.largest_displacement;
         moved.size > 0)

@@ -67,14 +67,24 @@ namespace conetact::output
                        "scene from its start.");
     }
 
+    /** Increments in which supports hold all nodes have none there. */
+    bool
+    may_skip_increments(const std::string &table)
+    {
+      return table == "reactions.csv";
+    }
+
     /** A table of former results, row by row up to an increment. */
     class FormerTable
     {
     public:
-      FormerTable(std::filesystem::path path, const unsigned int last)
-        : file(std::move(path))
+      FormerTable(const std::filesystem::path &folder,
+                  const std::string           &table,
+                  const unsigned int           last)
+        : file(folder / table)
         , stream(file)
         , n_increments(last)
+        , may_skip(may_skip_increments(table))
       {
         if (!std::getline(stream, line))
           refuse(file, "is missing or empty");
@@ -98,7 +108,7 @@ namespace conetact::output
         const bool          is_torn = stream.eof(); // by a kill
         if (k > n_increments || (is_torn && increment == n_increments))
           return false;
-        if (k != increment && k != increment + 1)
+        if (k < increment || (!may_skip && k > increment + 1))
           refuse(file,
                  "has in line " + std::to_string(number) + " increment " +
                    std::to_string(k) + " behind increment " +
@@ -109,11 +119,10 @@ namespace conetact::output
         return true;
       }
 
-      /** All increments; those of a table that may be empty, or none. */
       void
-      check_last(const bool may_be_empty) const
+      check_last() const
       {
-        if (increment != n_increments && !(may_be_empty && rows == 0))
+        if (increment != n_increments && !may_skip)
           refuse(file,
                  "does not hold the increments 1 to " +
                    std::to_string(n_increments) + " of the checkpoint");
@@ -154,6 +163,7 @@ namespace conetact::output
       std::ifstream            stream;
       std::vector<std::string> columns;
       unsigned long            n_increments, increment = 0;
+      bool                     may_skip;
       std::size_t              number = 1, rows = 0;
     };
   } // namespace
@@ -167,14 +177,14 @@ namespace conetact::output
   {
     if (run.n_former == 0)
       return {};
-    FormerTable former(run.former / table, run.n_former);
+    FormerTable former(run.former, table, run.n_former);
     const auto  now  = names_in(trim(header));
     const auto  at   = places(now, former.header());
     const bool  same = now == former.header();
     std::string rows;
     while (former.next())
       rows += (same ? former.line : rearranged(former.line, at)) + '\n';
-    former.check_last(table == "reactions.csv");
+    former.check_last();
     return rows;
   }
 
@@ -191,10 +201,10 @@ namespace conetact::output
       {"history.csv", n_increments}};
     for (const auto &[table, n_rows] : tables)
       {
-        FormerTable former(folder / table, n_increments);
+        FormerTable former(folder, table, n_increments);
         while (former.next())
           ;
-        former.check_last(n_rows == 0);
+        former.check_last();
         former.check_number(n_rows);
       }
   }

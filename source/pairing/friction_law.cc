@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -51,6 +52,37 @@ namespace conetact::pairing
   FrictionLaw::coefficient(const Situation &at, const unsigned int axis) const
   {
     return value_of(expression(axis), at);
+  }
+
+  double
+  FrictionLaw::most(const Situation   &at,
+                    const Bounds      &pressure,
+                    const unsigned int axis) const
+  {
+    const double far = std::numeric_limits<double>::infinity();
+    return std::max(0.,
+                    expression(axis)
+                      .bounds(at.position,
+                              at.t,
+                              {{at.temperature, at.temperature},
+                               {at.slipped, at.slipped},
+                               pressure,
+                               {0, far}})
+                      .high);
+  }
+
+  double
+  FrictionLaw::largest_coefficient(const Situation   &at,
+                                   const unsigned int axis) const
+  {
+    return most(at, {at.pressure, at.pressure}, axis);
+  }
+
+  double
+  FrictionLaw::largest_coefficient_of_all(const Situation   &at,
+                                          const unsigned int axis) const
+  {
+    return most(at, {0, std::numeric_limits<double>::infinity()}, axis);
   }
 
   bool

@@ -403,9 +403,14 @@ namespace conetact::solvers
   Automatic::solve_in_fast_parts(const ContactProblem &problem,
                                  ContactState         &state)
   {
-    LoadParts parts = parts_of(problem, state);
+    // What takes many steps is found in smaller parts, or not at all.
+    SolverOptions few  = options;
+    few.max_iterations = std::min(few.max_iterations, 30U);
+    ActiveSet quick(few);
+    LoadParts parts   = parts_of(problem, state);
+    parts.is_too_much = options.is_limit;
     parts.solve = anew([&](const ContactProblem &part, ContactState &trial) {
-      return solve_fast(part, trial);
+      return quick.solve(part, trial);
     });
     parts.otherwise =
       anew([&](const ContactProblem &part, ContactState &trial) {
@@ -424,12 +429,12 @@ namespace conetact::solvers
     if (options.ends_early && options.ends_early())
       return true;
     if (!options.is_limit || options.max_substeps < 2 ||
-        problem.system->null_space.cols() == 0 || !problem.has_cones())
+        problem.system->null_space.cols() == 0)
       return false;
     ContactState       last  = state;
     const SolverReport parts = solve_in_fast_parts(problem, last);
     add_work(report, parts);
-    if (parts.converged || !options.is_limit(last))
+    if (parts.converged || !options.is_limit(last, next_to_limit))
       return false;
     state         = last;
     report.reason = parts.reason;

@@ -4,8 +4,10 @@
 #include "conetact/solvers/existence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace conetact::solvers
 {
@@ -25,49 +27,55 @@ namespace conetact::solvers
      * not what failed. */
     constexpr double near = .02, near_of_all = .005;
 
+    /** Guesses at the reactions there, and a share that is known well enough.
+     */
+    constexpr unsigned int most_guesses = 10;
+    constexpr double       known        = 1e-4;
+
     /** Of what is added to a load: if more of it is left, next to nothing holds
      * it. Less may be what a search for reactions at their limits has not
      * found. */
     constexpr double most_left = .5;
 
-    /** The friction that reactions allow, node by node. */
-    VectorXd
-    friction_of(const ContactSystem &system, const VectorXd &r)
+    /** The most work that a force does against a way; without end: that is no
+     * more than rounding where the way is. */
+    double
+    work_against(const double force, const double way, const double rounding)
     {
-      VectorXd radius(system.n_nodes());
-      for (Index i = 0; i < system.n_nodes(); ++i)
-        radius[i] = system.mu[i] * std::max(0., r[system.normal(i)]);
-      return radius;
+      return way > rounding || std::isfinite(force) ? force * way : 0.;
     }
 
-    /** The least work that reactions with this friction do in a motion: a proof
-     * of what they do not hold, whether or not the motion is the best one. */
+    /** The least work that reactions which the nodes bear do in a motion: a
+     * proof of what they do not hold, whether or not the motion is the best
+     * one. */
     double
     work_left(const ContactSystem &system,
               const VectorXd      &v,
-              const VectorXd      &radius)
+              const Holding       &holding)
     {
-      constexpr double rounding = 1e-6; // of what nodes move by
-      double           work     = 0;
+      const double rounding = 1e-6 * largest(v);
+      double       work     = 0;
       for (Index i = 0; i < system.n_nodes(); ++i)
         {
-          if (v[system.normal(i)] < -rounding * largest(v))
-            return -std::numeric_limits<double>::infinity();
-          work -=
-            radius[i] * v.segment(system.first[i], system.n_tangents(i)).norm();
+          const double away = v[system.normal(i)];
+          const double slip =
+            v.segment(system.first[i], system.n_tangents(i)).norm();
+          work -= work_against(holding.friction[i], slip, rounding);
+          work -= away > 0 ? work_against(holding.pull[i], away, rounding) :
+                             work_against(holding.push[i], -away, rounding);
         }
       return work;
     }
 
     /**
-     * The largest s for which from + s rate is balanced with this friction, and
-     * the motion w that sets in there: the zeros of tangents to the distance,
-     * which is convex, come down to it from above.
+     * The largest s for which nodes that bear so much balance from + s rate,
+     * and the motion w that sets in there: the zeros of tangents to the
+     * distance, which is convex, come down to it from above.
      */
     double
     largest_share(const ContactSystem &system,
                   const MatrixXd      &R,
-                  const VectorXd      &radius,
+                  const Holding       &holding,
                   const VectorXd      &from,
                   const VectorXd      &rate,
                   VectorXd            &w)
@@ -77,7 +85,7 @@ namespace conetact::solvers
       for (unsigned int i = 0; i < most_steps; ++i)
         {
           const VectorXd c = from + s * rate;
-          const VectorXd z = nearest_reach_of_discs(system, R, c, radius).z;
+          const VectorXd z = nearest_reach(system, R, c, holding).z;
           if (z.norm() <= directed * std::max(c.norm(), from.norm()))
             return s;
           w                    = z.normalized();
@@ -106,34 +114,55 @@ namespace conetact::solvers
 
 
 
+  Holding
+  ExistenceCheck::holding_of_cones(const ContactSystem &system,
+                                   const VectorXd      &r)
+  {
+    constexpr double without_end = std::numeric_limits<double>::infinity();
+    const Index      n           = system.n_nodes();
+    eigen_assert(r.size() >= system.n_contact_unknowns());
+    Holding result{VectorXd(n),
+                   VectorXd::Zero(n),
+                   VectorXd::Constant(n, without_end)};
+    for (Index i = 0; i < n; ++i)
+      result.friction[i] = system.mu[i] * std::max(0., r[system.normal(i)]);
+    return result;
+  }
+
+
+
   bool
-  ExistenceCheck::is_limit(const VectorXd &load,
-                           const VectorXd &start,
-                           const VectorXd &last) const
+  ExistenceCheck::is_limit(const VectorXd  &load,
+                           const VectorXd  &start,
+                           const VectorXd  &last,
+                           const HoldingAt &holding,
+                           const double     wanted) const
   {
     eigen_assert(load.size() == R.rows());
     eigen_assert(start.size() == R.rows());
     eigen_assert(last.size() == R.rows());
+    eigen_assert(wanted > 0);
     const VectorXd c0 = R.transpose() * start, now = -R.transpose() * last;
     const VectorXd way    = R.transpose() * load - c0;
     const auto     solved = part_of_way(c0, way, now);
     if (!solved || *solved == 0)
       return false;
-    const double   more   = std::min(near, 1 - *solved);
-    const VectorXd then   = last + more / *solved * (last + start);
-    const VectorXd c      = now + more * way;
-    const VectorXd radius = friction_of(*system, then);
-    const VectorXd z      = nearest_reach_of_discs(*system, R, c, radius).z;
-    return work_left(*system, R * z, radius) + z.dot(c) >
+    const double   more  = std::min(wanted, 1 - *solved);
+    const VectorXd then  = last + more / *solved * (last + start);
+    const VectorXd c     = now + more * way;
+    const Holding  bears = holding(then);
+    const VectorXd z     = nearest_reach(*system, R, c, bears).z;
+    return work_left(*system, R * z, bears) + z.dot(c) >
            most_left * more * way.norm() * z.norm();
   }
 
 
 
   Existence
-  ExistenceCheck::limit_state(const VectorXd &load,
-                              const VectorXd &start,
-                              const VectorXd &last) const
+  ExistenceCheck::limit_state(const VectorXd  &load,
+                              const VectorXd  &start,
+                              const VectorXd  &last,
+                              const HoldingAt &holding) const
   {
     eigen_assert(load.size() == R.rows());
     eigen_assert(start.size() == R.rows());
@@ -145,15 +174,28 @@ namespace conetact::solvers
     if (R.cols() == 0 || !part)
       return result;
     const double solved = *part;
-    VectorXd     w;
-    const double more =
-      largest_share(*system, R, friction_of(*system, last), now, c - now, w);
+    const auto   share  = [&](const VectorXd &r, VectorXd &w) {
+      return largest_share(*system, R, holding(r), now, c - now, w);
+    };
+    VectorXd w;
+    double   more = share(last, w);
+    // What presses goes on to change as before: little from here to the limit.
+    for (unsigned int k = 0;
+         k < most_guesses && solved > 0 && w.size() > 0 && more > known;
+         ++k)
+      {
+        const double   ahead  = more * (1 - solved) / solved;
+        const VectorXd then   = last + ahead * (last + start);
+        const double   before = std::exchange(more, share(then, w));
+        if (std::abs(more - before) <= known)
+          break;
+      }
     const double beyond = more * (1 - solved);
-    if (w.size() == 0 ||
+    if (w.size() == 0 || more >= 1 ||
         (beyond > near && beyond * way.norm() > near_of_all * c.norm()))
       return result;
     result.admissible = false;
-    result.fraction   = beyond > near ? solved + beyond : solved;
+    result.fraction   = solved + beyond;
     result.w          = w;
     name_motion(result);
     return result;

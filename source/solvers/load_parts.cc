@@ -112,6 +112,15 @@ namespace conetact::solvers
     bool                     may_other = static_cast<bool>(parts.otherwise);
     while (done < 1)
       {
+        while (size > next_to_limit && parts.is_too_much &&
+               parts.is_too_much(now, size))
+          size = std::max(size / 2, next_to_limit);
+        if (parts.is_too_much && size <= next_to_limit &&
+            parts.is_too_much(now, next_to_limit))
+          {
+            report.reason = "its limit is reached";
+            break;
+          }
         const double next  = std::min(1., done + size);
         ContactState trial = now;
         trial.v            = start_of(system, part.gap);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace conetact::solvers
 {
@@ -60,15 +61,18 @@ namespace conetact::solvers
 
 
 
-    /** Projection on r_n >= 0, |r_t| <= radius, and its derivative. */
+    /** Projection on what a node bears, -pull <= r_n <= push and |r_t| <=
+     * radius, and its derivative. */
     void
-    project_on_disc(const SmallVector &x,
-                    const double       radius,
-                    SmallVector       &value,
-                    SmallMatrix       &derivative)
+    project_on_cylinder(const SmallVector &x,
+                        const Holding     &holding,
+                        const Index        i,
+                        SmallVector       &value,
+                        SmallMatrix       &derivative)
     {
-      const Index  t = x.size() - 1;
-      const double a = x.head(t).norm();
+      const double radius = holding.friction[i];
+      const Index  t      = x.size() - 1;
+      const double a      = x.head(t).norm();
       derivative.setIdentity(t + 1, t + 1);
       value = x;
       if (a > radius)
@@ -78,11 +82,15 @@ namespace conetact::solvers
           derivative.topLeftCorner(t, t) =
             radius / a * (SmallMatrix::Identity(t, t) - e * e.transpose());
         }
-      if (!(x[t] > 0))
-        value[t] = derivative(t, t) = 0;
+      if (x[t] > -holding.pull[i] && x[t] < holding.push[i])
+        return;
+      derivative(t, t) = 0;
+      value[t]         = std::clamp(x[t], -holding.pull[i], holding.push[i]);
     }
 
-    using Projection = decltype(&project_node);
+    /** Of a node's reaction, and its derivative. */
+    using Projection = std::function<
+      void(const SmallVector &, const Index, SmallVector &, SmallMatrix &)>;
 
     /**
      * One proximal step: z = c + R^T P(r - sigma R z), which says that the
@@ -97,12 +105,10 @@ namespace conetact::solvers
       ProximalStep(const ContactSystem &layout,
                    const MatrixXd      &null_space,
                    const VectorXd      &load,
-                   const VectorXd      &friction,
-                   const Projection     on_set)
+                   const Projection    &on_set)
         : system(layout)
         , R(null_space)
         , c(load)
-        , mu(friction)
         , project(on_set)
       {}
 
@@ -151,7 +157,7 @@ namespace conetact::solvers
           {
             const Index begin = system.first[i],
                         size  = system.first[i + 1] - begin;
-            project(x.segment(begin, size), mu[i], p, D);
+            project(x.segment(begin, size), i, p, D);
             projected.segment(begin, size) = p;
             if (p.isZero(0))
               continue;
@@ -160,14 +166,13 @@ namespace conetact::solvers
           }
         gradient = z - c - R.transpose() * projected;
         value    = .5 * z.squaredNorm() - c.dot(z) +
-                projected.squaredNorm() / (2 * sigma);
+                (2 * x - projected).dot(projected) / (2 * sigma);
       }
 
       const ContactSystem &system;
       const MatrixXd      &R;
       const VectorXd      &c;
-      const VectorXd      &mu;
-      const Projection     project;
+      const Projection    &project;
 
       VectorXd projected, gradient;
       MatrixXd hessian;
@@ -183,11 +188,11 @@ namespace conetact::solvers
     nearest(const ContactSystem &layout,
             const MatrixXd      &R,
             const VectorXd      &c,
-            const VectorXd      &mu,
-            const Projection     project)
+            const Projection    &project,
+            const double         precision)
     {
       Reach        result{c, VectorXd::Zero(R.rows())};
-      ProximalStep step(layout, R, c, mu, project);
+      ProximalStep step(layout, R, c, project);
       VectorXd    &z = result.z, &r = result.r;
       double       sigma = 1;
       for (unsigned int i = 0; i < 60; ++i)
@@ -196,7 +201,7 @@ namespace conetact::solvers
           step.solve(sigma, z, r);
           // That is by how much z fails to prove that it is the nearest.
           const double error = (r - old).norm() / sigma;
-          if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
+          if (z.norm() <= 10 * precision || error <= precision * z.norm())
             break;
           // Speed grows with sigma, but r - sigma R z cancels once sigma |z| is
           // large beside r: a thousand at most.
@@ -219,26 +224,50 @@ namespace conetact::solvers
     const double size = c.norm();
     if (!(size > 0))
       return {c, VectorXd::Zero(R.rows())};
-    const Reach unit = nearest(layout, R, c / size, mu, &project_node);
+    const Reach unit = nearest(
+      layout,
+      R,
+      c / size,
+      [&](const SmallVector &x,
+          const Index        i,
+          SmallVector       &value,
+          SmallMatrix       &derivative) {
+        project_node(x, mu[i], value, derivative);
+      },
+      1e-14);
     return {size * unit.z, size * unit.r};
   }
 
 
 
   Reach
-  nearest_reach_of_discs(const ContactSystem &layout,
-                         const MatrixXd      &R,
-                         const VectorXd      &c,
-                         const VectorXd      &radius)
+  nearest_reach(const ContactSystem &layout,
+                const MatrixXd      &R,
+                const VectorXd      &c,
+                const Holding       &holding)
   {
     eigen_assert(R.rows() == layout.n_contact_unknowns());
     eigen_assert(R.cols() == c.size());
-    eigen_assert(radius.size() == layout.n_nodes());
+    eigen_assert(holding.friction.size() == layout.n_nodes());
+    eigen_assert(holding.pull.size() == layout.n_nodes());
+    eigen_assert(holding.push.size() == layout.n_nodes());
     const double size = c.norm();
     if (!(size > 0))
       return {c, VectorXd::Zero(R.rows())};
-    const Reach unit =
-      nearest(layout, R, c / size, radius / size, &project_on_disc);
+    const Holding scaled = {holding.friction / size,
+                            holding.pull / size,
+                            holding.push / size};
+    const Reach   unit   = nearest(
+      layout,
+      R,
+      c / size,
+      [&](const SmallVector &x,
+          const Index        i,
+          SmallVector       &value,
+          SmallMatrix       &derivative) {
+        project_on_cylinder(x, scaled, i, value, derivative);
+      },
+      1e-10); // what reactions allow is not exact
     return {size * unit.z, size * unit.r};
   }
 } // namespace conetact::solvers

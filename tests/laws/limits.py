@@ -92,7 +92,71 @@ def ladders(laws):
         laws.check(f"plank of {cells} cells: the friction it needs", abs(needed(sentence) - exact), 1e-6)
 
 
+def dragged(dim, times="1, 2", **entries):
+    """A flat block that is pressed by 2 and dragged by 0.8 (t - 1) along x, with other entries of its contact."""
+    size, sides = ((20.0, 1.0), (2, 3)) if dim == 2 else ((20.0, 20.0, 1.0), (4, 5))
+    drag = " ; ".join(["0.8*max(t - 1, 0)"] + ["0"] * (dim - 1))
+    return {"Dimension": dim, "Body block": box((8, 1) if dim == 2 else (4, 4, 1), size, poisson=0),
+            "Obstacle floor": floor(dim),
+            "Contact sole": contact(ids=sides[0], **{"mu": .3, "Kinematics": "small", **entries}),
+            "Load press": load("pressure", "2*min(t, 1)", sides[1]), "Load drag": load("traction", drag, sides[1]),
+            "Time": {"Times": times}, "Output": {"VTU": 0}}
+
+
+def reached(sentence, begin):
+    """The time of a limit in an increment from `begin` on, or in the part of it that the sentence tells."""
+    times = [float(found) for found in re.findall(r"t = ([0-9.]+[0-9]|[0-9]+)", sentence)]
+    if len(times) == 0:
+        return math.nan
+    start = times[1] if len(times) > 1 else begin
+    return start + share(sentence) * (times[0] - start)
+
+
+def by_laws(laws):
+    """Whatever the law of friction, its limit is told: before anything is tried where coefficients have a bound."""
+    for dim in (2, 3):
+        for text, entries in {"v, which does nothing": {"mu": "0.3 + 0*v"}, "p, which does nothing": {"mu": "0.3 + 0*p"},
+                              "v, falling": {"mu": "0.2 + 0.1*exp(-v/5)"}, "v, rising": {"mu": "0.3 - 0.1*exp(-v/5)"},
+                              "p": {"mu": "min(0.3, 3/p)"}, "a layer": {"Compliance": 1e-4},
+                              "wear": {"Wear coefficient": 1e-6}, "a shear limit far away": {"Shear limit": 100},
+                              "two axes": {"Second friction coefficient": "0.3 + 0*v"}}.items():
+            if dim == 2 and "Second friction coefficient" in entries:
+                continue
+            sentence = told(laws, dragged(dim, **entries))
+            laws.demand(f"{dim}D, {text}: {sentence}", "no equilibrium exists, body 'block' slides along (1, 0" in sentence)
+            laws.check("  its limit", abs(share(sentence) - .75), 1e-4)
+        for text, limit, entries in (("a shear limit", .4, {"Shear limit": .4}), ("cohesion", .7, {"Cohesion": .1})):
+            sentence = told(laws, dragged(dim, **entries))
+            laws.demand(f"{dim}D, {text}: {sentence}", "no equilibrium exists, body 'block' slides along (1, 0" in sentence)
+            laws.demand("  which is no less than its limit", .8 * (reached(sentence, 1) - 1) > .99 * limit)
+        laws.check("  and that", abs(.8 * (reached(sentence, 1) - 1) / limit - 1), 1e-2)
+
+
+def not_by_cones(laws):
+    """Two blocks that a spring joins slide together; a lid that a fluid presses from below lifts off; a block with a shear
+    limit slides by that."""
+    scene = dragged(3)
+    scene["Body other"] = box((4, 4, 1), (20.0, 20.0, 1.0), (30.0, 0.0, 0.0), poisson=0)
+    scene["Contact other sole"] = contact("other", 4, mu=.3, Kinematics="small")
+    scene["Contact link"] = {"Kind": "spring", "Body": "block", "Master body": "other", "Point": (20, 10, 0),
+                             "Master point": (30, 10, 0), "Stiffness": 500}
+    scene["Load press other"] = load("pressure", "2*min(t, 1)", 5, "other")
+    scene["Load drag"]["Value"] = "1.6*max(t - 1, 0) ; 0 ; 0"
+    sentence = told(laws, scene)
+    laws.demand(sentence, "slides along (1, 0" in sentence)
+    laws.check("  its limit", abs(1.6 * (reached(sentence, 1) - 1) / 1.2 - 1), 5e-3)
+
+    scene = dragged(2, **{"Penetrating pressure": "t", "Fluid from boundary ids": "0, 1"})
+    del scene["Load drag"]
+    scene["Load press"]["Value"] = 5
+    scene["Time"] = {"Times": "1, 4, 8"}
+    sentence = told(laws, scene)
+    laws.demand(sentence, "no equilibrium exists, body 'block' lifts off, moving along (0, 1, 0)" in sentence)
+
+
 def limits(laws):
+    by_laws(laws)
+    not_by_cones(laws)
     lap_joint(laws)
     belt(laws)
     ladders(laws)

@@ -4,7 +4,7 @@
 import math
 from pathlib import Path
 
-from support.scenes import load, press_and_shear
+from support.scenes import box, contact, floor, load, press_and_shear
 
 
 def rate(row):
@@ -124,7 +124,23 @@ def in_parts(laws):
                                               for c in ("r_n", "r_t1", "r_t2")) / size, 1e-10)
 
 
+def viscous(laws):
+    """A block that only friction holds goes on at the speed at which friction that rises with it carries the load; forces
+    to 1e-10 know it to 1e-8."""
+    for dim in (2, 3):
+        size, sides = ((2.0, 1.0), (2, 3)) if dim == 2 else ((2.0, 1.5, 1.0), (4, 5))
+        scene = {"Dimension": dim, "Body block": box((4, 2, 2)[:dim], size), "Obstacle floor": floor(dim),
+                 "Contact bottom": contact(ids=sides[0], mu="0.2 + 0.02*v", Kinematics="small"),
+                 "Load press": load("pressure", "2*min(t, 1)", sides[1]),
+                 "Load drag": load("traction", " ; ".join(["0.5*min(max(t - 1, 0), 1)"] + ["0"] * (dim - 1)), sides[1]),
+                 "Time": {"Times": "1, 2, 3"}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        laws.check(f"{dim}D, friction that rises with speed: slip of a block that nothing else holds",
+                   max(abs(row["du_t1"] / 2.5 - 1) for row in run.last()), 1e-7)
+
+
 def varying_friction(laws):
+    viscous(laws)
     brake(laws)
     by_tables(laws)
     falling(laws)

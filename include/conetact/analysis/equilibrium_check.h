@@ -40,11 +40,13 @@ namespace conetact::analysis
     std::string
     limit(const solvers::ContactProblem &problem,
           const PendingIncrement        &increment) const;
-    /** Whether reactions r of all unknowns are those at such a limit. */
+    /** Whether so much more of the load than reactions r of all unknowns bear
+     * is beyond such a limit. */
     bool
     is_limit(const solvers::ContactProblem &problem,
-             const contact::ContactHistory &before,
-             const Eigen::VectorXd         &r) const;
+             const PendingIncrement        &increment,
+             const Eigen::VectorXd         &r,
+             const double                   more) const;
     /** Before contacts that slide are found: by nodes that are nearest to the
      * other side at its start. */
     std::string
@@ -57,8 +59,11 @@ namespace conetact::analysis
                       const PendingIncrement        &increment);
     std::optional<solvers::Existence>
     limit_state(const solvers::ContactProblem &problem,
-                const contact::ContactHistory &before,
+                const PendingIncrement        &increment,
                 const Eigen::VectorXd         &r) const;
+    /** What nodes bear at most where r are the reactions. */
+    solvers::Holding
+    holding(const PendingIncrement &increment, const Eigen::VectorXd &r) const;
     /** Reactions balance it on the free motions at the start. */
     static Eigen::VectorXd
     load_at_start(const solvers::ContactProblem &problem,

@@ -36,17 +36,29 @@ namespace conetact::analysis
     {
       return !ends.empty();
     }
+    /** How small parts may be: those of a load that comes to its limit show
+     * where that is. */
+    enum class Smallest
+    {
+      of_sliding,
+      of_load
+    };
+
     /**
      * Cuts the part that is next in two; it starts at `begin`, its increment
      * takes `duration` and ends at `whole`. False: it is small enough.
      */
     bool
-    cut(const double begin, const double duration, const double whole);
+    cut(const double   begin,
+        const double   duration,
+        const double   whole,
+        const Smallest smallest = Smallest::of_sliding);
     /** Whether cut() would do so. */
     bool
-    may_be_cut(const double begin,
-               const double duration,
-               const double whole) const;
+    may_be_cut(const double   begin,
+               const double   duration,
+               const double   whole,
+               const Smallest smallest = Smallest::of_sliding) const;
 
     /** Whether the part that is next is more than a quarter of its increment.
      */

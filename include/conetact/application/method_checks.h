@@ -30,6 +30,11 @@ namespace conetact::application
   check_linear_stages(const SceneObjects        &scene,
                       const std::vector<double> &times);
 
+  /** Whether Solver/Method = load path would take the scene, if it is run from
+   * its start with the same supports all along. */
+  bool
+  may_follow_path(const SceneObjects &scene, const RunSettings &settings);
+
   /** Throws InputError where bodies are turned that cannot be. */
   void
   check_turning_supports(const SceneObjects &scene,

@@ -4,6 +4,8 @@
 #ifndef conetact_base_expression_h
 #define conetact_base_expression_h
 
+#include "conetact/base/expression_bounds.h"
+
 #include <deal.II/base/point.h>
 
 #include <memory>
@@ -42,9 +44,16 @@ namespace conetact
     uses_time() const;
     bool
     uses_space() const;
-    /** Whether the further variable of that name is in the text. */
+    /** Whether values depend on the further variable of that name: on v, those
+     * of 0.3 + 0*v do not. */
     bool
     uses(const std::string &other) const;
+    /** Of values at a point and a time, while further variables are anywhere in
+     * bounds of theirs. */
+    Bounds
+    bounds(const dealii::Point<3>    &p,
+           const double               t,
+           const std::vector<Bounds> &others) const;
     /** Whether the value is the same at all points and times. */
     bool
     is_constant() const;

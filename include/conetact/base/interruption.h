@@ -34,6 +34,10 @@ namespace conetact
 
     static bool
     is_wanted();
+    /** Whether it has been wanted for longer than a user waits: what is found
+     * within a second is finished. */
+    static bool
+    is_urgent();
     /** Throws Interrupted: the wish is granted. */
     [[noreturn]] static void
     stop(const std::string &why);

@@ -6,6 +6,7 @@
 
 #include "conetact/contact/contact_points.h"
 #include "conetact/solvers/nodal_laws.h"
+#include "conetact/solvers/reach.h"
 
 #include <array>
 #include <vector>
@@ -80,6 +81,15 @@ namespace conetact::contact
       return joined[static_cast<std::size_t>(i)];
     }
 
+    /** What candidates bear at most where these are their reactions, however
+     * they slip or open. */
+    solvers::Holding
+    holding(const Eigen::VectorXd &r) const;
+    /** No less than their coefficients, whatever happens; infinite: nothing is
+     * known. */
+    Eigen::VectorXd
+    largest_coefficients() const;
+
     /** Of all candidates at the end of the increment: coefficients, slips,
      * without what layers give way by [length], and depths of wear [length]. */
     Eigen::VectorXd
@@ -142,6 +152,10 @@ namespace conetact::contact
     coefficient(const std::size_t         i,
                 const pairing::Situation &at,
                 const unsigned int        axis) const;
+    double
+    most_friction(const std::size_t  i,
+                  const double       r_n,
+                  const unsigned int axis) const;
     /** Of what presses by r_n, without a bond, along an axis of friction. */
     solvers::FrictionLimit
     friction(const std::size_t  i,

@@ -13,9 +13,10 @@
 
 namespace conetact::contact
 {
-  /** The existence check of a model's contact system, in its node frames. */
+  /** The existence check of a model's contact system, in its node frames, with
+   * friction coefficients of the nodes. */
   solvers::ExistenceCheck
-  make_existence_check(ContactModel &model);
+  make_existence_check(ContactModel &model, const Eigen::VectorXd &mu);
 
   /** Whether a load of the contact unknowns drives free motions that the nodes
    * which hold anything do not see. */
@@ -57,13 +58,22 @@ namespace conetact::contact
            const ContactModel       &model,
            const Eigen::VectorXd    &forces = {});
 
+  /** What the body does, without why: "body 'lid' lifts off, moving along (0,
+   * 1, 0)". */
+  std::string
+  describe_motion(const solvers::Existence &refusal,
+                  const ContactModel       &model,
+                  const Eigen::VectorXd    &forces);
+
   /**
    * The same of ExistenceCheck::limit_state(), with the contacts all of whose
-   * nodes slip under the reactions `last` and what to do.
+   * nodes slip under the reactions `last`, where each node has so much
+   * friction, and what to do.
    */
   std::string
   describe_limit(const solvers::Existence       &limit,
                  const Eigen::VectorXd          &last,
+                 const Eigen::VectorXd          &friction,
                  const std::vector<std::string> &contact_names,
                  const ContactModel             &model,
                  const Eigen::VectorXd          &forces);

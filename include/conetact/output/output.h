@@ -35,6 +35,7 @@ namespace conetact::output
     std::vector<unsigned int> breaking;  ///< of those whose bonds may be lost
     bool                      judges_uniqueness = false;
     bool                      follows_branches  = false;
+    bool                      has_moments       = false; ///< among its loads
     std::vector<std::string>  probes; ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;

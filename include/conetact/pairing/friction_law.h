@@ -56,6 +56,13 @@ namespace conetact::pairing
      * press yet, p = 0. */
     double
     coefficient(const Situation &at, const unsigned int axis = 0) const;
+    /** No less than mu at any speed; infinite where nothing is known [-]. */
+    double
+    largest_coefficient(const Situation &at, const unsigned int axis) const;
+    /** The same at any pressure. */
+    double
+    largest_coefficient_of_all(const Situation   &at,
+                               const unsigned int axis) const;
     /** What the limit allows on an area [force]; infinite without one. */
     double
     largest_force(const Situation &at, const double area) const;
@@ -90,6 +97,10 @@ namespace conetact::pairing
   private:
     bool
     uses(const std::string &name) const;
+    double
+    most(const Situation   &at,
+         const Bounds      &pressure,
+         const unsigned int axis) const;
 
     Expression                mu;
     std::optional<Expression> second, tau;

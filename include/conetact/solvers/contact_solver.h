@@ -65,9 +65,11 @@ namespace conetact::solvers
      * left that may take long: true ends the solver there. */
     std::function<bool()> ends_early = {};
 
-    /** Asked for the end of what the fast method could find of the load: true,
-     * nothing holds more, and no other method is tried. */
-    std::function<bool(const ContactState &last)> is_limit = {};
+    /** Asked for what the fast method has found of the load: true, nothing
+     * holds so much more of it (1: all of it). Where that is little, no other
+     * method is tried. */
+    std::function<bool(const ContactState &last, const double more)> is_limit =
+      {};
 
     /**
      * Of large systems: asked where one way to an increment has failed after so

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -97,28 +98,38 @@ namespace conetact::solvers
           const double           reference_force = 0,
           const Eigen::VectorXd &gap             = {}) const;
 
+    /** What the nodes bear where these are their reactions. */
+    using HoldingAt = std::function<Holding(const Eigen::VectorXd &r)>;
+    /** The same by the coefficients of a system. */
+    static Holding
+    holding_of_cones(const ContactSystem &system, const Eigen::VectorXd &r);
+
     /**
      * The same of a load that reactions in the cones could balance but those
-     * of Coulomb's law do not: `last` are the reactions under the largest part
-     * of the load that was solved. With the friction that they allow, the rest
+     * of the contact law do not: `last` are the reactions under the largest
+     * part of the load that was solved. With what they allow, the rest
      * of the load drives a motion at once where the limit is near; its
      * fraction is that part. Admissible: something else has failed.
      */
     Existence
     limit_state(const Eigen::VectorXd &load,
                 const Eigen::VectorXd &start,
-                const Eigen::VectorXd &last) const;
+                const Eigen::VectorXd &last,
+                const HoldingAt       &holding) const;
 
     /**
-     * Whether a little more of the load than `last` bears cannot be balanced
-     * with the friction that reactions allow, though normal reactions go on to
+     * Whether so much `more` of the increment's load than `last` bears cannot
+     * be balanced with what reactions allow, though normal reactions go on to
      * change as they have since the start, whose reactions are minus `start`.
-     * Unlike limit_state() it holds where normal reactions grow with the load.
+     * Where that is little, it is a limit; unlike limit_state() it holds where
+     * normal reactions grow with the load.
      */
     bool
     is_limit(const Eigen::VectorXd &load,
              const Eigen::VectorXd &start,
-             const Eigen::VectorXd &last) const;
+             const Eigen::VectorXd &last,
+             const HoldingAt       &holding,
+             const double           more) const;
 
     /** The orthonormal basis R in use, n x k. */
     const Eigen::MatrixXd &

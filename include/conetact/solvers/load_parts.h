@@ -29,10 +29,18 @@ namespace conetact::solvers
     using Method = std::function<SolverReport(const ContactProblem &part,
                                               ContactState         &state)>;
     Method solve;
+    /** Whether so much more of the increment than what `last` bears is known
+     * not to be held: it is not tried. */
+    std::function<bool(const ContactState &last, const double more)>
+      is_too_much = {};
     /** Tried once, where parts are as small as they may be; none: nothing is.
      */
     Method otherwise = {};
   };
+
+  /** Of an increment: where so much more of it is too much, it is at its limit.
+   */
+  constexpr double next_to_limit = .002;
 
   /** Parts of an increment that begins with `state`, without a method. The
    * problem must outlive them. */

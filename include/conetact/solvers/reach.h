@@ -40,13 +40,19 @@ namespace conetact::solvers
                 const Eigen::VectorXd &c,
                 const Eigen::VectorXd &mu);
 
-  /** The same with r_n >= 0 and |r_t| below a radius that r_n does not
-   * change. */
+  /** What nodes bear, -pull <= r_n <= push and |r_t| <= friction, which r_n
+   * does not change [force]. */
+  struct Holding
+  {
+    Eigen::VectorXd friction, pull, push; ///< of each node; may be infinite
+  };
+
+  /** The same of reactions in these cylinders. */
   Reach
-  nearest_reach_of_discs(const ContactSystem   &layout,
-                         const Eigen::MatrixXd &R,
-                         const Eigen::VectorXd &c,
-                         const Eigen::VectorXd &radius);
+  nearest_reach(const ContactSystem   &layout,
+                const Eigen::MatrixXd &R,
+                const Eigen::VectorXd &c,
+                const Holding         &holding);
 } // namespace conetact::solvers
 
 #endif

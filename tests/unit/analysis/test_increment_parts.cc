@@ -68,5 +68,8 @@ TEST(AnalysisIncrementParts, SmallOnesAreNotCut)
   while (parts.cut(0, 1, 1))
     ++n;
   EXPECT_EQ(n, 5u); // 1/32
+  while (parts.cut(0, 1, 1, IncrementParts::Smallest::of_load))
+    ++n;
+  EXPECT_EQ(n, 9u); // 1/512
   EXPECT_FALSE(parts.is_long(0, 1, 1));
 }

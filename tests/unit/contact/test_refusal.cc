@@ -31,8 +31,9 @@ namespace
       if (GetParam() == "iterative")
         model->solve_by(iterative_row());
       EXPECT_EQ(model->condensed_form(), solvers::Form::compliance);
-      const solvers::ExistenceCheck check = make_existence_check(*model);
-      const solvers::Existence      result =
+      const solvers::ExistenceCheck check =
+        make_existence_check(*model, model->points.layout().mu);
+      const solvers::Existence result =
         check.check(resultants(push), resultants(0));
       return result.admissible ? "stands" : describe(result, *model);
     }

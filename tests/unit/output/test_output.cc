@@ -732,6 +732,11 @@ namespace
         "largest displacement: 3, body my block at (1, 2, 0)",
         "largest pressure: 40, contact left side at (0.1, 0, 0)",
         "probe tip: displacement (0.5, -0.5, 0)"}));
+    run.has_moments = true;
+    r.loads.moment  = Tensor<1, 3>({0., 0., 7.});
+    EXPECT_NE(closing_lines(run, r)[2].find(
+                "loads: force (0, -30, 0), moment about the origin (0, 0, 7)"),
+              std::string::npos);
     run.contacts.assign(9, "c");
     r.contacts.resize(9);
     EXPECT_EQ(closing_lines(run, r)[5], "  and 5 more: increments.csv");
