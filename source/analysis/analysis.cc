@@ -46,7 +46,7 @@ namespace conetact::analysis
             "Reach. Check Master boundary ids and the bodies' places.");
         else if (!empty[c] || scene.n_shared[c] >= scene.pairings[c].n_paired)
           continue;
-        else if (scene.has_stages()) // others leave it nodes
+        else if (scene.stages.may_change()) // others leave it nodes
           log.note("contact " + scene.contact_names[c] +
                    ": supports or ties hold all of its nodes for a while");
         else

@@ -177,6 +177,7 @@ namespace conetact::analysis
   void
   SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
   {
+    constexpr double little = .1; // of what friction may do
     if (scene.path.follows)
       return;
     const auto closed = [&](const std::size_t i) {
@@ -185,13 +186,20 @@ namespace conetact::analysis
     for (std::size_t i = 0; i < model.points.size(); ++i)
       if (const pairing::ContactNode &node = *model.points[i].node;
           closed(i) && found.count(node.contact) == 0)
-        if (const double turn = rolled(node, end);
-            turn > 0 && turn > facets.at({node.contact, node.node}))
-          found.emplace(node.contact,
-                        model.bodies.called(node.body) + " rolls by " +
-                          to_text(turn) + " rad at its contact node " +
-                          to_text(node.position) +
-                          ", more than its faces turn from one to the next");
+        {
+          const double turn = rolled(node, end), mu = model.points[i].mu;
+          if (turn == 0)
+            continue;
+          const bool is_far = turn > facets.at({node.contact, node.node});
+          if (is_far || (mu > 0 && turn > little * mu))
+            found.emplace(
+              node.contact,
+              model.bodies.called(node.body) + " rolls by " + to_text(turn) +
+                " rad at its contact node " + to_text(node.position) +
+                (is_far ?
+                   ", more than its faces turn from one to the next" :
+                   ", which makes a moment beside that of its friction"));
+        }
   }
 
   void

@@ -205,14 +205,13 @@ namespace conetact::output
           {
             const std::string_view a = one.cell(i, pair.one);
             const std::string_view b = other.cell(j, pair.other);
-            if (a == b && pair.rule.judged != Judged::bounded)
+            if (a == b)
               continue;
             const double difference =
               pair.is_number ? std::abs(*finite_number(a) - *finite_number(b)) :
                                0;
             const bool beyond = is_beyond(pair, a, b, difference, i, j);
-            if (a != b)
-              take(pair, a, b, difference, rows_one.name(i), beyond);
+            take(pair, a, b, difference, rows_one.name(i), beyond);
             if (beyond && result.first.empty())
               result.first = name + ", " + rows_one.name(i) + ": " +
                              pair.found.column + " is " + std::string(a) +
@@ -272,8 +271,7 @@ namespace conetact::output
             case Judged::told:
               return false;
             case Judged::bounded:
-              return !is_number || std::max(*finite_number(a),
-                                            *finite_number(b)) > limits.bound;
+              return !is_number || difference > limits.bound;
             case Judged::counted:
               {
                 if (!is_number || !same_solver(i, j))

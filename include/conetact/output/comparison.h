@@ -15,7 +15,8 @@ namespace conetact::output
   {
     /** Of numbers, over the largest of their column in both runs. */
     double tolerance = 1e-9;
-    /** Of residuals and balances, which are rounding: they are bounded. */
+    /** Of residuals and balances, which are rounding: one run may have so much
+     * more of it than the other. */
     double bound = 1e-10;
   };
 
