@@ -120,18 +120,21 @@ namespace conetact::analysis
   std::optional<solvers::Existence>
   EquilibriumCheck::limit_state(const solvers::ContactProblem &problem,
                                 const PendingIncrement        &increment,
-                                const Eigen::VectorXd         &r) const
+                                const Eigen::VectorXd         &r,
+                                const double                   ahead) const
   {
     const Eigen::Index n = problem.system->n_contact_unknowns();
     if (!existence || !has_contact_reactions(problem, r))
       return {};
-    const solvers::Existence limit =
-      existence->limit_state(run.model.elasticity().contact_load(problem),
-                             load_at_start(problem, increment.before),
-                             r.head(n),
-                             [&](const Eigen::VectorXd &at) {
-                               return holding(increment, at);
-                             });
+    const Eigen::VectorXd start = load_at_start(problem, increment.before);
+    Eigen::VectorXd       load  = run.model.elasticity().contact_load(problem);
+    const Eigen::VectorXd way   = load - start;
+    if (ahead > 0 && way.norm() > 0)
+      load += ahead * load.norm() / way.norm() * way;
+    const solvers::Existence limit = existence->limit_state(
+      load, start, r.head(n), [&](const Eigen::VectorXd &at) {
+        return holding(increment, at);
+      });
     return limit.admissible ? std::nullopt : std::optional(limit);
   }
 
@@ -176,6 +179,17 @@ namespace conetact::analysis
            (could_follow_path(run.scene) ?
               ", or let Solver/Method = load path find the limit" :
               "");
+  }
+
+  std::string
+  EquilibriumCheck::limit_ahead(const solvers::ContactProblem &problem,
+                                const PendingIncrement        &increment) const
+  {
+    constexpr double little = .01;
+    const auto found = limit_state(problem, increment, increment.end.r, little);
+    return found ? "; this is within 1 % of the load from which on " +
+                     describe_motion(*found, run.model, *increment.mechanical) :
+                   "";
   }
 
   std::string

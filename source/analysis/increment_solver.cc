@@ -188,7 +188,9 @@ namespace conetact::analysis
         // Of smaller parts it is the limit, too; fluids change what is held.
         const bool has_fluid =
           std::count(increment.wet.begin(), increment.wet.end(), true) > 0;
-        return {limit.empty() ? why_unsolved(report, problem, guess) : limit,
+        return {limit.empty() ? why_unsolved(report, problem, guess) +
+                                  equilibrium.limit_ahead(problem, increment) :
+                                limit,
                 limit.empty() || has_fluid};
       }
     if (run.scene.judges_uniqueness)

@@ -144,14 +144,36 @@ namespace conetact
       return {std::min(std::abs(a.low), std::abs(a.high)), most};
     }
 
-    /** Its values are those of its points, and in between. */
+    /** Linear from point to point, constant beyond. */
+    double
+    table_at(const double x, const std::vector<Part> &parts)
+    {
+      const auto number = [&](const std::size_t k) {
+        return parts.at(k).values.low;
+      };
+      std::size_t i = 1;
+      while (i + 2 < parts.size() && x > number(i + 2))
+        i += 2;
+      if (x <= number(1))
+        return number(2);
+      if (i + 2 >= parts.size())
+        return number(parts.size() - 1);
+      return number(i + 1) + (x - number(i)) / (number(i + 2) - number(i)) *
+                               (number(i + 3) - number(i + 1));
+    }
+
+    /** Its extremes are at the ends of the variable's bounds or at points. */
     Bounds
     table(const std::vector<Part> &parts)
     {
-      Bounds all = parts.at(2).values;
-      for (std::size_t i = 4; i < parts.size(); i += 2)
-        all = {std::min(all.low, parts[i].values.low),
-               std::max(all.high, parts[i].values.high)};
+      for (std::size_t i = 1; i < parts.size(); ++i)
+        if (!parts[i].values.is_point())
+          throw NotUnderstood();
+      const Bounds &x = parts[0].values;
+      Bounds all = around({table_at(x.low, parts), table_at(x.high, parts)});
+      for (std::size_t i = 1; i + 1 < parts.size(); i += 2)
+        if (parts[i].values.low > x.low && parts[i].values.low < x.high)
+          all = around({all.low, all.high, parts[i + 1].values.low});
       return all;
     }
 

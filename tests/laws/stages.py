@@ -131,6 +131,39 @@ def remembers(laws, dim, backend):
     laws.demand("  what a bond has lost", all(row["state"] == "open" and row["r_n"] == 0 for row in run_at(run, 3)))
 
 
+def held_all(laws, dim):
+    """A support that holds all nodes of the only contact for a while leaves it without rows; what they press is as before."""
+    bottom, upper = (2, 3) if dim == 2 else (4, 5)
+    up = "xyz"[dim - 1]
+    scene = {"Dimension": dim, "Body block": box((3, 2, 2)[:dim], (1.0,) * dim, young=YOUNG), "Obstacle floor": floor(dim),
+             "Contact bottom": contact(ids=bottom, mu=.3), "Load press": load("pressure", 2, upper),
+             "Support rest": support(bottom, ", ".join("xyz"[:dim]), " ; ".join(["0"] * dim), Active="t > 1.5 && t < 2.5"),
+             "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    laws.demand(f"{dim}D: {len(run_at(run, 1))} nodes, none while a support holds them, {len(run_at(run, 3))}",
+                len(run_at(run, 1)) == len(run_at(run, 3)) > 0 and not run_at(run, 2))
+    laws.check("  what they press", max(abs(record[f"{name}_f_{up}"] / 2 - 1) for record, name in zip(
+        run.increments, ("bottom", "support_rest", "bottom"))), 1e-10)
+
+
+def parted(laws, dim):
+    """Work against a softening bond that a support parts: the strength that falls to 0 along the way, and part of it comes back."""
+    bottom, upper = (2, 3) if dim == 2 else (4, 5)
+    up, length, strength, gap = dim - 1, .1, 2.0, .05
+    scene = {"Dimension": dim, "Body block": box((2,) * dim, (1.0,) * dim, young=1e9, poisson=0), "Obstacle floor": floor(dim),
+             "Contact bottom": contact(ids=bottom, **{"Tensile strength": strength, "Cohesion lost": "opening",
+                                                      "Softening length": length}),
+             "Support lift": support(bottom, "xyz"[up], f"{gap}*min(t, 1)", Active="t < 1.5"),
+             "Support grip": support(upper, ", ".join("xyz"[:dim]), " ; ".join(["0"] * up + [f"{gap}*min(t, 1) - 0.04*max(0, t - 2)"])),
+             "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    whole = strength * (gap - gap**2 / (2 * length))
+    back = strength * (1 - gap / length) / gap * (gap**2 - .01**2) / 2
+    for record, exact in zip(run.increments[1:], (whole, whole - back)):
+        laws.check(f"{dim}D, t = {record['time']}: work against a bond that a support has parted",
+                   abs(record["bottom_fracture"] / exact - 1), 1e-5)
+
+
 def agree_in_turn(laws):
     """Supports that move the same nodes one after the other need not agree at times when one of them is off."""
     scene = confined(2, "condensed", 0, "t < 2.5")
@@ -202,6 +235,8 @@ def stages(laws):
             frictionless(laws, dim, backend)
             with_friction(laws, dim, backend)
             normal(laws, dim, backend)
+        held_all(laws, dim)
+        parted(laws, dim)
         remembers(laws, dim, "condensed")  # walls hold its corners along friction
     agree_in_turn(laws)
     assembled(laws, "condensed")  # the iterative one knows no friction along what supports hold of pairs

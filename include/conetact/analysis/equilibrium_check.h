@@ -40,6 +40,11 @@ namespace conetact::analysis
     std::string
     limit(const solvers::ContactProblem &problem,
           const PendingIncrement        &increment) const;
+    /** What would slip or tip under a little more load than the increment's;
+     * empty: nothing is known. Newton's method may fail so near a limit. */
+    std::string
+    limit_ahead(const solvers::ContactProblem &problem,
+                const PendingIncrement        &increment) const;
     /** Whether so much more of the load than reactions r of all unknowns bear
      * is beyond such a limit. */
     bool
@@ -57,10 +62,12 @@ namespace conetact::analysis
     std::string
     refusal_by_active(const solvers::ContactProblem &problem,
                       const PendingIncrement        &increment);
+    /** `ahead`: of so much more load. */
     std::optional<solvers::Existence>
     limit_state(const solvers::ContactProblem &problem,
                 const PendingIncrement        &increment,
-                const Eigen::VectorXd         &r) const;
+                const Eigen::VectorXd         &r,
+                const double                   ahead = 0) const;
     /** What nodes bear at most where r are the reactions. */
     solvers::Holding
     holding(const PendingIncrement &increment, const Eigen::VectorXd &r) const;

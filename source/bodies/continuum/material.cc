@@ -29,6 +29,10 @@ namespace conetact::bodies
         throw InputError(where +
                          "Young modulus: " + to_text(material.young_modulus) +
                          " is not positive. Give a stiffness above 0.");
+      if (material.young_modulus < 1e-100) // products of it would be 0
+        throw InputError(where +
+                         "Young modulus: " + to_text(material.young_modulus) +
+                         " is too small to compute with. Choose other units.");
       if (!(material.poisson_ratio < .5))
         throw InputError(where +
                          "Poisson ratio: " + to_text(material.poisson_ratio) +

@@ -51,6 +51,8 @@ TEST(ExpressionBounds, OfNumbersAreTheirValues)
                            "exp(1) + sqrt(2) + tanh(.3) + atan(2)",
                            "abs(-3)",
                            "pi",
+                           "table(z; 0 : .5; 2 : .3; 4 : .1)",
+                           "table(9; 0 : .5; 2 : .3; 4 : .1)",
                            "1.5e2 + .5",
                            "pow(2, .5)",
                            "+3 - -4"})
