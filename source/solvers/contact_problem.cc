@@ -114,6 +114,17 @@ namespace conetact::solvers
       return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;
     }
 
+    /** Of the load, of all unknowns of a large system. */
+    double
+    norm_of_all(const ContactProblem &problem)
+    {
+      const LargeSystem      &large = *problem.system->large;
+      const LargeSystem::Kept load  = large.keep(problem.load);
+      return std::sqrt(
+        large.product_elsewhere(load, load) +
+        problem.load.tail(problem.system->n_unknowns()).squaredNorm());
+    }
+
     /** Residual of the linear relation, as forces. */
     VectorXd
     relation_residual(const ContactProblem &problem,
@@ -285,7 +296,7 @@ namespace conetact::solvers
     const double scale =
       std::max({state.r.head(n).norm(), load, problem.reference_force});
     // Elsewhere loads may be that contacts hear of only when they hold.
-    const double all = system.large ? problem.load.norm() : load;
+    const double all = system.large ? norm_of_all(problem) : load;
     const double data =
       std::max({all,
                 problem.reference_force,
