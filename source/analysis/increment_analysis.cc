@@ -45,10 +45,11 @@ namespace conetact::analysis
      * AnalysisError. */
     void
     demand_equal(const std::vector<PendingIncrement> &batch,
-                 const Eigen::MatrixXd               &w)
+                 const std::vector<Eigen::VectorXd>  &w)
     {
-      std::vector<std::pair<const double *, Eigen::Index>> numbers = {
-        {w.data(), w.size()}};
+      std::vector<std::pair<const double *, Eigen::Index>> numbers;
+      for (const Eigen::VectorXd &x : w)
+        numbers.emplace_back(x.data(), x.size());
       for (const PendingIncrement &increment : batch)
         for (const Eigen::VectorXd *x : {&increment.end.v, &increment.end.r})
           numbers.emplace_back(x->data(), x->size());
@@ -201,9 +202,9 @@ namespace conetact::analysis
         primal.push_back(increment.primal);
       }
     acceptance.set_stiffness(model.elasticity());
-    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
+    std::vector<Eigen::VectorXd> w = model.elasticity().expand(cases, primal);
     demand_equal(batch, w);
-    return {w.colwise().begin(), w.colwise().end()};
+    return w;
   }
 
   IncrementAnalysis::Step

@@ -39,14 +39,15 @@ namespace conetact::analysis
   {
     n_saved = n_on_disk;
     acceptance.gather();
+    const Eigen::VectorXd elastic_start = history.elastic_start();
     agree([&] {
       if (ProcessSession::speaks())
-        write_archive();
+        write_archive(elastic_start);
     });
   }
 
   void
-  IncrementAnalysis::write_archive() const
+  IncrementAnalysis::write_archive(const Eigen::VectorXd &elastic_start) const
   {
     Archive archive;
     archive.put_text("scene", scene.entries.values());
@@ -58,7 +59,7 @@ namespace conetact::analysis
     put_reaction_rows(archive, n_reaction_rows);
     application::save_kinematics(scene.contacts, archive);
     solver.search.save(archive);
-    history.save(archive);
+    history.save(elastic_start, archive);
     acceptance.save(archive);
     wear.error.save(archive);
     put_layout(model.points, archive);

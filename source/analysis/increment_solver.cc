@@ -255,7 +255,8 @@ namespace conetact::analysis
                                const solvers::ContactProblem &problem)
   {
     solvers::ContactState &state = increment.end;
-    if (problem.system->form == solvers::Form::stiffness)
+    if (problem.system->form == solvers::Form::stiffness &&
+        !problem.system->large) // which has it
       state.u = solvers::elastic_part(problem, state);
     const unsigned int number = increment.record.increment;
     if (run.scene.fclib_increments.count(number) +
@@ -307,8 +308,9 @@ namespace conetact::analysis
     if (!open.exist())
       return;
     const contact::Coordinates &coordinates = run.model.coordinates;
-    const Eigen::VectorXd       w =
-      run.model.elasticity().expand({&increment.load}, {increment.primal});
+    const Eigen::VectorXd       w           = run.model.elasticity()
+                                .expand({&increment.load}, {increment.primal})
+                                .front();
     Eigen::VectorXd way =
       coordinates.in_frames(run.acceptance.displacements(increment, w));
     const Eigen::VectorXd &start = run.acceptance.accepted_displacements();
@@ -372,7 +374,7 @@ namespace conetact::analysis
     take_result(other, solution.problem);
     run.history = now;
     const Eigen::VectorXd w =
-      run.model.elasticity().expand({&other.load}, {other.primal});
+      run.model.elasticity().expand({&other.load}, {other.primal}).front();
     return run.acceptance.rows_of(other, w);
   }
 

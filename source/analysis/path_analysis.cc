@@ -143,15 +143,20 @@ namespace conetact::analysis
         result.each_load.push_back({x.force + part * (y.force - x.force),
                                     x.moment + part * (y.moment - x.moment)});
       }
-    result.load.prescribed = mean(a.load.prescribed, b.load.prescribed);
-    result.load.b          = mean(a.load.b, b.load.b);
-    result.load.f          = mean(a.load.f, b.load.f);
-    result.load.q          = mean(a.load.q, b.load.q);
-    result.load.bound      = mean(a.load.bound, b.load.bound);
-    result.load.offset     = mean(a.load.offset, b.load.offset);
-    result.load.placement  = mean(a.load.placement, b.load.placement);
-    result.relation        = mean(a.relation, b.relation);
-    result.f               = mean(a.f, b.f);
+    if (a.load.deforms() && b.load.deforms())
+      result.load.prescribed = mean(a.load.prescribed, b.load.prescribed);
+    else if (b.load.deforms())
+      result.load.prescribed = part * b.load.prescribed;
+    else if (a.load.deforms())
+      result.load.prescribed = (1 - part) * a.load.prescribed;
+    result.load.b         = mean(a.load.b, b.load.b);
+    result.load.f         = mean(a.load.f, b.load.f);
+    result.load.q         = mean(a.load.q, b.load.q);
+    result.load.bound     = mean(a.load.bound, b.load.bound);
+    result.load.offset    = mean(a.load.offset, b.load.offset);
+    result.load.placement = mean(a.load.placement, b.load.placement);
+    result.relation       = mean(a.relation, b.relation);
+    result.f              = mean(a.f, b.f);
     return result;
   }
 
@@ -387,13 +392,14 @@ namespace conetact::analysis
         primal.push_back(w.pending.primal);
       }
     acceptance.set_stiffness(model.elasticity());
-    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
+    const std::vector<Eigen::VectorXd> w =
+      model.elasticity().expand(cases, primal);
     std::vector<model::IncrementRecord> finished;
     std::string                         failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
       {
         PendingIncrement           &pending = waiting[i].pending;
-        Eigen::VectorXd             wi = w.col(static_cast<Eigen::Index>(i));
+        Eigen::VectorXd             wi      = w[i];
         const verification::Finding finding = judge(pending, wi);
         const std::string           why     = complete(pending, finding, wi);
         if (why.empty())

@@ -78,25 +78,14 @@ namespace conetact::analysis
   void
   RunContext::apply_loads(PendingIncrement &increment)
   {
-    const double                     t      = increment.record.time;
-    const bodies::NodalLoads::Acting acting = loads.acting(t);
-    Eigen::VectorXd                  others = scene.obstacle_forces(t);
-    if (prestress.size() > 0)
-      others += prestress;
-    increment.thermal = acting.thermal;
+    const double t    = increment.record.time;
+    increment.load    = {}; // before there is another one
+    increment.forces  = {};
+    increment.thermal = {};
     increment.record.each_load.clear();
-    if (model.bodies.frames.empty())
-      {
-        increment.mechanical = contact::shared(acting.mechanical + others);
-        increment.forces     = acting.thermal.size() == 0 ?
-                                 increment.mechanical :
-                                 contact::shared(acting.forces + others);
-        for (const auto &[force, moment] : acting.each)
-          increment.record.each_load.push_back({force, moment});
-      }
-    else
-      turn_loads(others, increment);
-    increment.load = model.load_case(*increment.mechanical, acting.thermal, t);
+    take_loads(t, increment);
+    increment.load =
+      model.load_case(*increment.mechanical, increment.thermal, t);
     increment.wet.clear();
     set_laws(increment);
     if (const auto &laws = increment.load.laws)
@@ -120,6 +109,25 @@ namespace conetact::analysis
   RunContext::set_laws(PendingIncrement &increment)
   {
     increment.load.laws = laws_from(history, increment);
+  }
+
+  void
+  RunContext::take_loads(const double t, PendingIncrement &increment)
+  {
+    bodies::NodalLoads::Acting acting = loads.acting(t);
+    Eigen::VectorXd            others = scene.obstacle_forces(t);
+    if (prestress.size() > 0)
+      others += prestress;
+    increment.thermal = std::move(acting.thermal);
+    if (!model.bodies.frames.empty())
+      return turn_loads(others, increment);
+    acting.mechanical += others;
+    increment.mechanical = contact::shared(std::move(acting.mechanical));
+    increment.forces     = increment.mechanical;
+    if (increment.thermal.size() > 0)
+      increment.forces = contact::shared(acting.both + others);
+    for (const auto &[force, moment] : acting.each)
+      increment.record.each_load.push_back({force, moment});
   }
 
   /* In the frames of bodies, some loads turn with them and others against

@@ -32,7 +32,9 @@ namespace conetact::analysis
     for (unsigned int &n = increment.record.pairings;;)
       {
         const Eigen::VectorXd w =
-          run.model.elasticity().expand({&increment.load}, {increment.primal});
+          run.model.elasticity()
+            .expand({&increment.load}, {increment.primal})
+            .front();
         const Eigen::VectorXd u = run.acceptance.displacements(increment, w);
         ContactSearch::Found  found =
           solver.search.find(u, increment.record.time, n_slow > 1);

@@ -88,10 +88,8 @@ namespace conetact::bodies
     for (const Structure *structure : structures)
       begin.push_back(begin.back() + structure->n_dofs());
     Acting all;
-    all.forces.setZero(begin.back());
-    all.mechanical = all.forces;
+    all.mechanical.setZero(begin.back());
     visit(t, [&](const Load &load, const Eigen::VectorXd &f) {
-      all.forces.segment(begin[load.body], f.size()) += f;
       const bool is_thermal = load.strains();
       // but round the axis what strains a body balances: the rest is rounding
       const bool balances =
@@ -99,7 +97,12 @@ namespace conetact::bodies
       all.each.push_back(balances ? std::pair<Tensor<1, 3>, Tensor<1, 3>>() :
                                     resultant(*structures[load.body], dim, f));
       if (is_thermal && all.thermal.size() == 0)
-        all.thermal.setZero(begin.back());
+        {
+          all.thermal.setZero(begin.back());
+          all.both = all.mechanical;
+        }
+      if (all.thermal.size() > 0)
+        all.both.segment(begin[load.body], f.size()) += f;
       (is_thermal ? all.thermal : all.mechanical)
         .segment(begin[load.body], f.size()) += f;
     });

@@ -41,7 +41,6 @@ namespace conetact::contact
   {
     if (points != nullptr)
       take(*points);
-    reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         // Body after body: each has a block of its own in every matrix.

@@ -232,7 +232,7 @@ namespace conetact::contact
   }
 
   /* Each body has w = P (b + H^T r - K_s R a), and what is prescribed. */
-  Eigen::MatrixXd
+  std::vector<Eigen::VectorXd>
   CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
                               const std::vector<Eigen::VectorXd>  &primal) const
   {
@@ -242,10 +242,14 @@ namespace conetact::contact
     for (Index k = 0; k < n; ++k)
       forces.col(k) =
         loads[at(k)]->b + forces_of(all_of(*loads[at(k)], primal[at(k)]));
-    const MatrixXd p = deform(forces);
-    MatrixXd       w(coordinates.n_dofs(), n);
+    const MatrixXd               p = deform(forces);
+    std::vector<Eigen::VectorXd> w;
     for (Index k = 0; k < n; ++k)
-      w.col(k) = own.expand(p.col(k)) + loads[at(k)]->prescribed;
+      {
+        w.push_back(own.expand(p.col(k)));
+        if (loads[at(k)]->deforms())
+          w.back() += loads[at(k)]->prescribed;
+      }
     return w;
   }
 

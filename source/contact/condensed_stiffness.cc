@@ -193,7 +193,7 @@ namespace conetact::contact
                       });
   }
 
-  MatrixXd
+  std::vector<VectorXd>
   CondensedStiffness::expand(const std::vector<const LoadCase *> &loads,
                              const std::vector<VectorXd>         &primal) const
   {
@@ -221,10 +221,13 @@ namespace conetact::contact
       }
     if (!is_linear())
       q = carry(q, contact);
-    MatrixXd w(loads[0]->prescribed.size(), static_cast<Index>(loads.size()));
+    std::vector<VectorXd> w;
     for (std::size_t k = 0; k < loads.size(); ++k)
-      w.col(static_cast<Index>(k)) =
-        own.expand(q.col(column[k])) + loads[k]->prescribed;
+      {
+        w.push_back(own.expand(q.col(column[k])));
+        if (loads[k]->deforms())
+          w.back() += loads[k]->prescribed;
+      }
     return w;
   }
 

@@ -144,11 +144,12 @@ namespace conetact::contact
   }
 
   void
-  ContactHistory::save(Archive &archive) const
+  ContactHistory::save(const Eigen::VectorXd &elastic_start,
+                       Archive               &archive) const
   {
     archive.put("contact/q", q);
     archive.put("contact/r", r);
-    archive.put("contact/elastic", numbers(elastic.start));
+    archive.put("contact/elastic", elastic_start);
     archive.put("contact/a", elastic.motions);
     archive.put("contact/base", elastic.base);
     archive.put("contact/largest", largest);

@@ -168,19 +168,22 @@ namespace conetact::contact
     // deforms: d - (R a_p)_h, along what they hold.
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
-    Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
+    Eigen::VectorXd       all        = mechanical;
     double                far        = frames.largest_way();
+    if (elastic.has_springs())
+      all += elastic.ground_forces(t);
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
         far                         = std::max(far, solvers::largest(rigid));
         prescribed -= coordinates.held_part(rigid);
         // Foundations do feel the placement: K_s R a_p.
-        all -= elastic.spring_forces(rigid);
+        if (elastic.has_springs())
+          all -= elastic.spring_forces(rigid);
       }
     if (const double zero = deformation_rounding * far; zero > 0)
-      prescribed = prescribed.unaryExpr(
-        [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
+      for (double &d : prescribed)
+        d = std::abs(d) <= zero ? 0. : d;
     LoadCase load  = elasticity().reduce(all, thermal, prescribed);
     load.placement = placement;
     const Eigen::VectorXd offset = all_offsets(load, t);
@@ -196,12 +199,11 @@ namespace conetact::contact
   Eigen::VectorXd
   ContactModel::all_offsets(const LoadCase &load, const double t) const
   {
-    AssertDimension(load.prescribed.size(), coordinates.n_dofs());
     return points.components(
       [&](const unsigned int body, const unsigned int node) {
         Tensor<1, 3>       u   = motions.at(load.placement, body, node);
         const Eigen::Index dof = coordinates.dof(body, node);
-        for (unsigned int c = 0; c < bodies.dim; ++c)
+        for (unsigned int c = 0; c < bodies.dim && load.deforms(); ++c)
           u[c] += load.prescribed[dof + c];
         return bodies.displacement(body, node, u);
       },

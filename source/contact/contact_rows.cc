@@ -81,6 +81,7 @@ namespace conetact::contact
     , master_side(sides)
     , other_before(m.points.all().size())
   {
+    last.reserve(model.points.all().size());
     for (const ContactPoint &point : model.points.all())
       {
         model::ContactRow row;

@@ -57,7 +57,6 @@ namespace conetact::contact
           bind(points->all()[i]);
       }
     number_unknowns();
-    reserve(static_cast<std::size_t>(n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         for (unsigned int c = 0; c < bodies.structures[body]->n_components();
@@ -141,8 +140,6 @@ namespace conetact::contact
   void
   Coordinates::number_unknowns()
   {
-    first_unknown.resize(n_nodes());
-    own_unknown.assign(static_cast<std::size_t>(n_dofs()), -1);
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         number_node(body, i);
@@ -151,7 +148,6 @@ namespace conetact::contact
       {
         const unsigned int n     = number(point->node->body, point->node->node);
         special(n).first_contact = n_free + first;
-        node_of_unknown.insert(node_of_unknown.end(), point->dual.size(), n);
       }
     set_n_unknowns(n_free + n_contact_unknowns());
   }
@@ -162,30 +158,43 @@ namespace conetact::contact
     const bodies::Structure &structure = *bodies.structures[body];
     const std::size_t        n         = number(body, node);
     const NodeRule          *rule      = what(n).rule;
-    const Eigen::Index       before    = n_free;
-    first_unknown[n]                   = static_cast<int>(n_free);
+    first_unknown.push_back(static_cast<int>(n_free));
     // Bodies that nothing reaches are not solved.
-    if (!moves(body) || (bodies.is_rigid(body) && node > 0))
-      return;
+    const bool has_unknowns =
+      moves(body) && !(bodies.is_rigid(body) && node > 0);
     // Where nothing else is said each dof is an unknown, in the axes of the
     // scene.
     const Directions *free = free_directions(n);
-    if (free != nullptr)
+    if (free != nullptr && has_unknowns)
       n_free += static_cast<Eigen::Index>(free->size());
 
     // Rotations have no frame of the node: an unknown each, about the axes of
     // the scene.
-    for (unsigned int c = free != nullptr ? bodies.dim : 0;
-         c < structure.n_components();
-         ++c)
-      if (structure.has_dof(node, c) &&
-          !(rule != nullptr && rule->holds_rotation(c)))
-        own_unknown[static_cast<std::size_t>(dof(body, node)) + c] =
-          static_cast<int>(n_free++);
-    // Orders of elimination keep the unknowns of a node together.
-    node_of_unknown.insert(node_of_unknown.end(),
-                           static_cast<std::size_t>(n_free - before),
-                           static_cast<unsigned int>(n));
+    for (unsigned int c = 0; c < structure.n_components(); ++c)
+      own_unknown.push_back(has_unknowns &&
+                                (free == nullptr || c >= bodies.dim) &&
+                                structure.has_dof(node, c) &&
+                                !(rule != nullptr && rule->holds_rotation(c)) ?
+                              static_cast<int>(n_free++) :
+                              -1);
+  }
+
+  std::vector<unsigned int>
+  Coordinates::node_of_unknowns() const
+  {
+    std::vector<unsigned int> nodes(static_cast<std::size_t>(n_unknowns()));
+    auto                      next = nodes.begin();
+    for (unsigned int n = 0; n < n_nodes(); ++n)
+      {
+        const Eigen::Index end =
+          n + 1 < n_nodes() ? first_unknown[n + 1] : n_free;
+        next = std::fill_n(next, end - first_unknown[n], n);
+      }
+    for (const auto &[point, first] : axes.own())
+      next = std::fill_n(next,
+                         point->dual.size(),
+                         number(point->node->body, point->node->node));
+    return nodes;
   }
 
   /* Null where a node has the scene's axes; hanging nodes have none. */

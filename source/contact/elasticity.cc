@@ -43,8 +43,11 @@ namespace conetact::contact
     Assert(forces.allFinite() && prescribed.allFinite(),
            dealii::ExcMessage("Loads are finite."));
     const Eigen::Index n = forces.size();
-    LoadCase           load;
-    load.prescribed = prescribed;
+    if (forces.isZero(0) && prescribed.isZero(0))
+      return nothing();
+    LoadCase load;
+    if (!prescribed.isZero(0))
+      load.prescribed = prescribed;
     Eigen::VectorXd rest(2 * n);
     // Reduction is linear in forces and prescribed displacements: both as one
     // vector, made of like size, are written as a combination of earlier ones
@@ -52,12 +55,8 @@ namespace conetact::contact
     rest << forces, stiffness_scale * prescribed;
 
     const double size = rest.norm();
-    if (size == 0)
-      {
-        load            = nothing();
-        load.prescribed = prescribed;
-        return load;
-      }
+    if (size == 0) // of numbers whose squares are none
+      return nothing();
     const auto project = [&] {
       for (const Known &known : basis)
         {

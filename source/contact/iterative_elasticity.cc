@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -142,9 +143,16 @@ namespace conetact::contact
   }
 
   VectorXd
+  IterativeElasticity::own(VectorXd x) const
+  {
+    return contact_system->large->own(std::move(x));
+  }
+
+  VectorXd
   IterativeElasticity::elastic_part(const VectorXd &x) const
   {
-    return further ? further->without(x) : x;
+    VectorXd all = contact_system->large->all(x);
+    return further ? further->without(all) : all;
   }
 
   VectorXd
@@ -184,10 +192,11 @@ namespace conetact::contact
     constexpr double       rounding = 1e-13; // of a sum
     const Eigen::MatrixXd &free     = motions.unresisted();
     VectorXd               resultants(free.cols());
+    const VectorXd         load = contact_system->large->all(problem.load);
     for (Eigen::Index j = 0; j < free.cols(); ++j)
       {
         const VectorXd terms =
-          values_of_motions(free.col(j)).cwiseProduct(problem.load);
+          values_of_motions(free.col(j)).cwiseProduct(load);
         const double sum = terms.sum();
         resultants[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
       }
@@ -202,7 +211,7 @@ namespace conetact::contact
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
     const VectorXd all       = forces - elastic.internal_forces(prescribed);
-    load.f                   = coordinates.restrict(all);
+    load.f                   = own(coordinates.restrict(all));
     load.bound               = VectorXd::Zero(2 * n_bound);
     load.bound.head(n_bound) = restrict_bound(all);
   }
@@ -216,7 +225,7 @@ namespace conetact::contact
     if (offset.isZero(0))
       return;
     const VectorXd forces = elastic.internal_forces(expand_bound(offset));
-    load.f += coordinates.restrict(forces);
+    load.f += own(coordinates.restrict(forces));
     load.bound.head(n_bound) += restrict_bound(forces);
     load.bound.tail(n_bound) -= offset;
     if (!further)
@@ -245,7 +254,7 @@ namespace conetact::contact
   IterativeElasticity::nothing() const
   {
     LoadCase load;
-    load.f     = VectorXd::Zero(coordinates.n_unknowns());
+    load.f     = own(VectorXd::Zero(coordinates.n_unknowns()));
     load.bound = VectorXd::Zero(2 * n_bound);
     return load;
   }
@@ -264,23 +273,23 @@ namespace conetact::contact
       if (const auto step =
             large.solve({}, large.add(large.multiply(u), -1, f), {to_the_end}))
         u = large.add(u, 1, step->du);
-    return large.numbers(u);
+    return large.all(large.numbers(u));
   }
 
-  Eigen::MatrixXd
+  std::vector<VectorXd>
   IterativeElasticity::expand(const std::vector<const LoadCase *> &loads,
                               const std::vector<VectorXd>         &primal) const
   {
     AssertDimension(loads.size(), primal.size());
-    Eigen::MatrixXd w(coordinates.n_dofs(),
-                      static_cast<Eigen::Index>(loads.size()));
+    std::vector<VectorXd> w;
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
-        VectorXd column = coordinates.expand(unknowns(*loads[k], primal[k])) +
-                          loads[k]->prescribed;
+        VectorXd column = coordinates.expand(unknowns(*loads[k], primal[k]));
+        if (loads[k]->deforms())
+          column += loads[k]->prescribed;
         if (n_bound > 0)
           column += expand_bound(loads[k]->bound.tail(n_bound));
-        w.col(static_cast<Eigen::Index>(k)) = without_motion(column);
+        w.push_back(without_motion(std::move(column)));
       }
     return w;
   }
@@ -290,7 +299,7 @@ namespace conetact::contact
   {
     AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
-    change.f                   = -coordinates.restrict(unbalanced);
+    change.f                   = own(-coordinates.restrict(unbalanced));
     change.bound               = VectorXd::Zero(2 * n_bound);
     change.bound.head(n_bound) = -restrict_bound(unbalanced);
     return change;
@@ -304,11 +313,11 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeElasticity::without_motion(const VectorXd &w) const
+  IterativeElasticity::without_motion(VectorXd w) const
   {
-    if (nowhere.cols() == 0)
-      return w;
-    return w - nowhere * (nowhere.transpose() * w).eval();
+    if (nowhere.cols() > 0)
+      w -= nowhere * (nowhere.transpose() * w).eval();
+    return w;
   }
 
   VectorXd
@@ -341,7 +350,7 @@ namespace conetact::contact
     problem.load   = load.f;
     problem.offset = offset;
     if (!state.base.isZero(0))
-      problem.load -= resistance(state.base);
+      problem.load -= own(resistance(state.base));
     if (further)
       problem.load = further->with_forces(problem.load);
   }
@@ -355,7 +364,7 @@ namespace conetact::contact
   double
   IterativeElasticity::largest_force(const LoadCase &load) const
   {
-    return solvers::largest(load.f);
+    return contact_system->large->largest(load.f);
   }
 
   /* Open contacts carry nothing, and not all unknowns are theirs. */
@@ -375,7 +384,7 @@ namespace conetact::contact
   {
     start.u = primal(state, start.r);
     if (state.motions != state.base)
-      start.u += values_of_motions(state.motions - state.base);
+      start.u += own(values_of_motions(state.motions - state.base));
   }
 
   /* What moves bodies as a whole would cost the digits of what strains them:
@@ -390,7 +399,7 @@ namespace conetact::contact
         return;
       }
     const VectorXd more = motions_in(end.u);
-    state.start         = shared(end.u - values_of_motions(more));
+    state.start         = shared(end.u - own(values_of_motions(more)));
     state.motions = state.base = state.base + more;
   }
 
@@ -398,7 +407,7 @@ namespace conetact::contact
   IterativeElasticity::primal(const ElasticState &state, const VectorXd &) const
   {
     return state.start ? *state.start :
-                         VectorXd::Zero(contact_system->large->n_unknowns());
+                         VectorXd::Zero(contact_system->large->n_own());
   }
 
   void
@@ -406,7 +415,13 @@ namespace conetact::contact
                             const VectorXd &,
                             solvers::ContactState &end) const
   {
-    end.u += values_of_motions(amounts);
+    end.u += own(values_of_motions(amounts));
+  }
+
+  VectorXd
+  IterativeElasticity::whole_start(const ElasticState &state) const
+  {
+    return contact_system->large->all(primal(state, {}));
   }
 
   /* Unknowns of other supports are others. */
@@ -418,7 +433,7 @@ namespace conetact::contact
     state.start.reset();
     const Eigen::Index n = contact_system->large->n_unknowns();
     if (start.size() == static_cast<std::size_t>(n))
-      state.start = shared(Eigen::Map<const VectorXd>(start.data(), n));
+      state.start = shared(own(Eigen::Map<const VectorXd>(start.data(), n)));
   }
 
   bool
@@ -437,7 +452,7 @@ namespace conetact::contact
     const Eigen::MatrixXd normals = motions.seen()(closed, Eigen::all);
     const VectorXd        way =
       normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));
-    const VectorXd rest = state.nearby - values_of_motions(way);
+    const VectorXd rest = state.nearby - own(values_of_motions(way));
     if (!(solvers::largest(way) > solvers::largest(elastic_part(rest))))
       return false;
     elastic_state.base += way;
@@ -456,7 +471,7 @@ namespace conetact::contact
     VectorXd u = with_further(coordinates.values(w));
     if (!amounts.isZero(0))
       u += values_of_motions(amounts);
-    return u;
+    return own(std::move(u));
   }
 
   /* About the end of a way there is no rounding of it. */

@@ -11,10 +11,42 @@ namespace conetact::contact
 {
   using Eigen::VectorXd;
 
-  /* Translations e and rotations e x (p - c) about the mean c of all nodes, as
-     each body sees them in its frame; rotating nodes turn by the same angle.
-     Columns have unit length. */
-  Eigen::MatrixXd
+  namespace
+  {
+    /** The translation e or the rotation e x (p - c) of all unknowns, as each
+     * body sees it in its frame, with the norm 1; rotating nodes turn by the
+     * same angle. */
+    VectorXd
+    common_motion(const model::Bodies &bodies,
+                  const Coordinates   &coordinates,
+                  const Point<3>      &centre,
+                  const Tensor<1, 3>  &axis,
+                  const bool           turns)
+    {
+      const unsigned int dim = bodies.dim;
+      VectorXd           u   = VectorXd::Zero(coordinates.n_dofs());
+      for (unsigned int b = 0; b < bodies.n_elastic(); ++b)
+        for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
+          {
+            const bodies::Structure &structure = *bodies.structures[b];
+            const Tensor<1, 3>       moved     = bodies.in_frame(
+              b,
+              turns ? cross_product_3d(axis, bodies.position(b, i) - centre) :
+                                axis);
+            const Eigen::Index first = coordinates.dof(b, i);
+            for (unsigned int c = 0; c < dim; ++c)
+              u[first + c] = moved[c];
+            for (unsigned int c = dim; c < structure.n_components() && turns;
+                 ++c)
+              u[first + c] = axis[dim == 2 ? 2 : c - dim];
+          }
+      VectorXd mode = coordinates.values(u);
+      mode /= std::max(mode.norm(), 1e-300);
+      return mode;
+    }
+  } // namespace
+
+  std::vector<std::function<VectorXd()>>
   common_motions(const model::Bodies &bodies, const Coordinates &coordinates)
   {
     const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
@@ -24,31 +56,14 @@ namespace conetact::contact
       for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i, ++n)
         centre += Tensor<1, 3>(bodies.position(b, i));
     centre /= std::max(n, 1u);
-    Eigen::MatrixXd modes(coordinates.n_unknowns(), dim + n_turns);
+    std::vector<std::function<VectorXd()>> modes;
     for (unsigned int k = 0; k < dim + n_turns; ++k)
       {
         Tensor<1, 3> axis;
         axis[k < dim ? k : dim == 2 ? 2 : k - dim] = 1;
-        VectorXd u = VectorXd::Zero(coordinates.n_dofs());
-        for (unsigned int b = 0; b < bodies.n_elastic(); ++b)
-          for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
-            {
-              const bodies::Structure &structure = *bodies.structures[b];
-              const Tensor<1, 3>       moved     = bodies.in_frame(
-                b,
-                k < dim ?
-                            axis :
-                            cross_product_3d(axis, bodies.position(b, i) - centre));
-              const Eigen::Index first = coordinates.dof(b, i);
-              for (unsigned int c = 0; c < dim; ++c)
-                u[first + c] = moved[c];
-              for (unsigned int c = dim;
-                   c < structure.n_components() && k >= dim;
-                   ++c)
-                u[first + c] = axis[dim == 2 ? 2 : c - dim];
-            }
-        modes.col(k) = coordinates.values(u);
-        modes.col(k) /= std::max(modes.col(k).norm(), 1e-300);
+        modes.emplace_back([&bodies, &coordinates, centre, axis, k, dim] {
+          return common_motion(bodies, coordinates, centre, axis, k >= dim);
+        });
       }
     return modes;
   }

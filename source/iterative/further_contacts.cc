@@ -123,14 +123,14 @@ namespace conetact::iterative
       Kept
       keep(const Array &x) const override
       {
-        return make(system->keep(contacts.without(x)),
+        return make(system->keep(system->own(contacts.without(x))),
                     contacts.reactions(x),
                     x.tail(n_contact)(unknowns));
       }
       Array
       numbers(const Kept &x) const override
       {
-        return whole(system->numbers(in(x).u), in(x).r, in(x).v);
+        return whole(system->all(system->numbers(in(x).u)), in(x).r, in(x).v);
       }
       Array
       of_contact(const Kept &x) const override
@@ -158,7 +158,8 @@ namespace conetact::iterative
       {
         return make(system->add(system->multiply(in(x).u),
                                 -1,
-                                system->keep(H.transpose() * in(x).r)),
+                                system->keep(
+                                  system->own(H.transpose() * in(x).r))),
                     stiffness.cwiseProduct(in(x).v - seen(in(x).u)),
                     in(x).r);
       }
@@ -212,7 +213,7 @@ namespace conetact::iterative
       Array
       seen(const Kept &u) const
       {
-        return H * system->numbers(u);
+        return H * system->all(system->numbers(u));
       }
       Array
       find_stiffness() const;
@@ -293,7 +294,7 @@ namespace conetact::iterative
           law.h += law.d * forces.segment(first, n);
           first += n;
         }
-      Kept f = system->keep(-forces);
+      Kept f = system->keep(system->own(-forces));
       if (is_loaded)
         f = system->add(newton.f.u, 1, f);
       Precision precision = newton.precision;
@@ -302,7 +303,7 @@ namespace conetact::iterative
       const auto step = system->solve(laws, f, precision);
       newton.is_finite &= step.has_value();
       if (!step)
-        return system->keep(Array::Zero(H.cols()));
+        return system->keep(Array::Zero(system->n_own()));
       newton.iterations += step->iterations;
       newton.error = std::max(newton.error, step->error);
       return step->du;

@@ -180,23 +180,10 @@ namespace conetact::iterative
     public:
       explicit SharedSystem(LargeStiffness &&given)
         : processes(processes_of(given))
-        , places(find_places(given, block, processes))
-        , begin(places.first[at(processes.rank())])
-        , end(places.first[at(processes.rank()) + 1])
+        , n(static_cast<Index>(given.node_of.size()))
+        , n_contact(given.contact.n_unknowns())
       {
-        take_contact(given);
-        BlockShare<block> share;
-        share.processes      = processes;
-        share.first          = places.first;
-        share.surface        = surface_of(given);
-        share.exists         = own_part(Array::Ones(n_unknowns()));
-        share.modes          = own_modes(given.modes);
-        share.side           = own_sides(given);
-        share.preconditioner = given.preconditioner;
-        share.K =
-          rows_of_elements<block>(given.elements, places.of, begin, end);
-        for (const std::size_t i : own_nodes)
-          share.contact.push_back(own_contact_of(given.contact, i));
+        BlockShare<block> share = find_share(given);
         // Elements give their memory back before levels take theirs.
         given  = {};
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
@@ -205,17 +192,55 @@ namespace conetact::iterative
       Index
       n_unknowns() const override
       {
-        return static_cast<Index>(places.of.size());
+        return n;
+      }
+      Index
+      n_own() const override
+      {
+        return static_cast<Index>(elsewhere.size()) + n_contact;
+      }
+      Array
+      own(Array all) const override
+      {
+        AssertDimension(all.size(), n_unknowns());
+        if (processes.size() == 1)
+          return all;
+        Array result(n_own());
+        result << all(numbers_of_own), all.tail(n_contact);
+        return result;
+      }
+      Array
+      all(Array own) const override
+      {
+        AssertDimension(own.size(), n_own());
+        if (processes.size() == 1)
+          return own;
+        Array result(n_unknowns());
+        result.tail(n_contact) = own.tail(n_contact);
+        own.conservativeResize(numbers_of_own.size());
+        own                      = processes.gather_all(std::move(own));
+        const Eigen::VectorXi to = processes.gather_all(numbers_of_own);
+        for (Index i = 0; i < to.size(); ++i)
+          result[to[i]] = own[i];
+        return result;
+      }
+      double
+      largest(const Array &own) const override
+      {
+        return solvers::largest(processes.gather_all(
+          Array(Array::Constant(1, solvers::largest(own)))));
       }
       Kept
       keep(const Array &x) const override
       {
-        return make(own_part(x));
+        return make(in_places(x));
       }
       Array
       numbers(const Kept &x) const override
       {
-        return all_of(part(x));
+        Array own(n_own());
+        own << part(x)(elsewhere), of_contact(x);
+        return own;
       }
       Array
       of_contact(const Kept &x) const override
@@ -253,7 +278,7 @@ namespace conetact::iterative
       Array
       diagonal() const override
       {
-        return all_of(system->diagonal());
+        return all(numbers(make(system->diagonal())));
       }
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
@@ -275,6 +300,28 @@ namespace conetact::iterative
       }
 
     private:
+      BlockShare<block>
+      find_share(const LargeStiffness &given)
+      {
+        const Places places = find_places(given, block, processes);
+        begin               = places.first[at(processes.rank())];
+        end                 = places.first[at(processes.rank()) + 1];
+        take_contact(given, places);
+        take_elsewhere(places);
+        BlockShare<block> share;
+        share.processes      = processes;
+        share.first          = places.first;
+        share.surface        = surface_of(given, places);
+        share.exists         = in_places(Array::Ones(n_own()));
+        share.modes          = own_modes(given);
+        share.side           = own_sides(given, places);
+        share.preconditioner = given.preconditioner;
+        share.K =
+          rows_of_elements<block>(given.elements, places.of, begin, end);
+        for (const std::size_t i : own_nodes)
+          share.contact.push_back(own_contact_of(given.contact, places, i));
+        return share;
+      }
       static Kept
       make(Array x)
       {
@@ -291,43 +338,57 @@ namespace conetact::iterative
       {
         return place >= begin && place < end;
       }
+      /** What it has of own numbers: not of all that are of contact. */
       Array
-      own_part(const Array &x) const
+      in_places(const Array &x) const
       {
-        AssertDimension(x.size(), n_unknowns());
-        Array own = Array::Zero(end - begin);
-        for (std::size_t q = 0; q < places.of.size(); ++q)
-          if (is_own(places.of[q]))
-            own[places.of[q] - begin] = x[static_cast<Index>(q)];
+        AssertDimension(x.size(), n_own());
+        Array own         = Array::Zero(end - begin);
+        own(elsewhere)    = x.head(static_cast<Index>(elsewhere.size()));
+        const Index first = n_own() - n_contact;
+        for (std::size_t k = 0; k < contact.size(); ++k)
+          own[contact[k]] = x[first + own_contact[k]];
         return own;
       }
-      Array
-      all_of(const Array &own) const
+
+      void
+      take_elsewhere(const Places &places)
       {
-        const Array all = processes.gather_all(own);
-        return all(places.of);
+        std::vector<int> own;
+        for (Index q = 0; q < n - n_contact; ++q)
+          if (is_own(places.of[at(q)]))
+            {
+              elsewhere.push_back(places.of[at(q)] - begin);
+              if (processes.size() > 1)
+                own.push_back(static_cast<int>(q));
+            }
+        elsewhere.shrink_to_fit();
+        numbers_of_own =
+          Eigen::Map<const Eigen::VectorXi>(own.data(),
+                                            static_cast<Index>(own.size()));
       }
 
       /** Finds the unknowns of contact that are this process's, and where those
        * of all stand once they are gathered, process by process. All unknowns
        * of a node have one owner, as its law mixes them. */
       void
-      take_contact(const LargeStiffness &given)
+      take_contact(const LargeStiffness &given, const Places &places)
       {
-        const solvers::ContactSystem &nodes = given.contact;
-        contact_begin = at(n_unknowns() - nodes.n_unknowns());
+        const solvers::ContactSystem   &nodes = given.contact;
         std::vector<std::vector<Index>> of_process(at(processes.size()));
         for (Index i = 0; i < nodes.n_nodes(); ++i)
           {
             const Index from = nodes.first[at(i)];
-            const int   p    = owner_of(place(from), places.first);
+            const int   p    = owner_of(place(places, from), places.first);
             for (Index k = from; k < nodes.first[at(i) + 1]; ++k)
               of_process[at(p)].push_back(k);
             if (p != processes.rank())
               continue;
             own_nodes.push_back(at(i));
-            for (const int own : own_contact_of(nodes, at(i)))
+            for (const int own : own_contact_of(nodes, places, at(i)))
               contact.push_back(own);
+            for (Index k = from; k < nodes.first[at(i) + 1]; ++k)
+              own_contact.push_back(static_cast<int>(k));
           }
         contact_order.resize(at(nodes.n_unknowns()));
         int next = 0;
@@ -339,22 +400,23 @@ namespace conetact::iterative
       }
       /** The place of unknown k of contact. */
       int
-      place(const Index k) const
+      place(const Places &places, const Index k) const
       {
-        return places.of[contact_begin + at(k)];
+        return places.of[at(n - n_contact + k)];
       }
       std::vector<int>
       own_contact_of(const solvers::ContactSystem &nodes,
+                     const Places                 &places,
                      const std::size_t             i) const
       {
         std::vector<int> node;
         for (Index k = nodes.first[i]; k < nodes.first[i + 1]; ++k)
-          node.push_back(place(k) - begin);
+          node.push_back(place(places, k) - begin);
         return node;
       }
       /** Nodes of all processes. */
       std::vector<int>
-      surface_of(const LargeStiffness &given) const
+      surface_of(const LargeStiffness &given, const Places &places) const
       {
         std::set<int> nodes;
         for (std::size_t q = 0; q < given.node_of.size(); ++q)
@@ -363,17 +425,18 @@ namespace conetact::iterative
         return {nodes.begin(), nodes.end()};
       }
       Eigen::MatrixXd
-      own_modes(const Eigen::MatrixXd &modes) const
+      own_modes(const LargeStiffness &given) const
       {
-        Eigen::MatrixXd own(end - begin, modes.cols());
+        Eigen::MatrixXd modes(end - begin,
+                              static_cast<Index>(given.modes.size()));
         for (Index j = 0; j < modes.cols(); ++j)
-          own.col(j) = own_part(modes.col(j));
-        return own;
+          modes.col(j) = in_places(own(given.modes[at(j)]()));
+        return modes;
       }
       /** A number for each own node, or for none at all; 0 if nothing is said.
        */
       std::vector<int>
-      own_sides(const LargeStiffness &given) const
+      own_sides(const LargeStiffness &given, const Places &places) const
       {
         if (given.side.empty())
           return {};
@@ -386,11 +449,14 @@ namespace conetact::iterative
         return sides;
       }
 
-      const Communicator       processes;
-      const Places             places;
-      const int                begin, end;         ///< own places
-      std::size_t              contact_begin = 0;  ///< among unknowns
-      std::vector<std::size_t> own_nodes;          ///< of contact
+      const Communicator processes;
+      const Index        n, n_contact;       ///< unknowns
+      int                begin = 0, end = 0; ///< own places
+      std::vector<int>   elsewhere;          ///< places of own unknowns
+      /** Their numbers, where others have some. */
+      Eigen::VectorXi          numbers_of_own;
+      std::vector<std::size_t> own_nodes;   ///< of contact
+      std::vector<int>         own_contact; ///< their unknowns among those
       std::vector<int> contact, ascending_contact; ///< their places among own
       /** Where each unknown of contact stands among those of all processes, one
        * behind the other. */

@@ -53,7 +53,7 @@ namespace conetact::iterative
       keep(const Array &x) const override
       {
         return of_parts([&](const Part &part, const std::size_t) {
-          return part.system->keep(x(part.unknowns));
+          return part.system->keep(part.system->own(x(part.unknowns)));
         });
       }
       Array
@@ -61,7 +61,8 @@ namespace conetact::iterative
       {
         Array all(n_unknowns());
         for (std::size_t i = 0; i < parts.size(); ++i)
-          all(parts[i].unknowns) = parts[i].system->numbers(in_part(x, i));
+          all(parts[i].unknowns) =
+            parts[i].system->all(parts[i].system->numbers(in_part(x, i)));
         return all;
       }
       /* Parts keep the order of all unknowns: those of contact are the last
@@ -208,7 +209,10 @@ namespace conetact::iterative
       LargeStiffness own;
       const auto     number =
         std::make_shared<std::vector<Index>>(given.node_of.size(), Index(-1));
-      own.modes = given.modes(part.unknowns, Eigen::all);
+      for (const auto &mode : given.modes)
+        own.modes.emplace_back([mode, unknowns = part.unknowns] {
+          return Eigen::VectorXd(mode()(unknowns));
+        });
       for (const Index q : part.unknowns)
         {
           (*number)[at(q)] = static_cast<Index>(own.node_of.size());
@@ -239,8 +243,6 @@ namespace conetact::iterative
   {
     Assert(given.node_of.size() >= at(given.contact.n_unknowns()),
            dealii::ExcMessage("Unknowns of contact are the last ones."));
-    AssertDimension(given.modes.rows(),
-                    static_cast<Index>(given.node_of.size()));
     if (direct.empty())
       return make_large_system(std::move(given), dim);
     Part       iterated, factorized;

@@ -170,6 +170,7 @@ namespace conetact::pairing
     std::vector<std::size_t>       place(nodes.size());
     std::vector<ContactNode>       united;
     std::vector<unsigned int>      n_shared(contacts.size(), 0);
+    united.reserve(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (first[i] == i)
         {

@@ -114,6 +114,17 @@ namespace conetact::solvers
       return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;
     }
 
+    /** The norm of the load over all unknowns of a large system. */
+    double
+    norm_of_all(const ContactProblem &problem)
+    {
+      const LargeSystem      &large = *problem.system->large;
+      const LargeSystem::Kept load  = large.keep(problem.load);
+      return std::sqrt(
+        large.product_elsewhere(load, load) +
+        problem.load.tail(problem.system->n_unknowns()).squaredNorm());
+    }
+
     /** Residual of the linear relation, as forces: K u - f - r, or W r + q - v
      * times the stiffness of each node, and the imbalance of motions. */
     VectorXd
@@ -293,7 +304,7 @@ namespace conetact::solvers
       std::max({state.r.head(n).norm(), load, problem.reference_force});
     // In large systems loads may act elsewhere, which contacts feel only once
     // they hold: reactions that grow to their size do not run away.
-    const double all = system.large ? problem.load.norm() : load;
+    const double all = system.large ? norm_of_all(problem) : load;
     const double data =
       std::max({all,
                 problem.reference_force,

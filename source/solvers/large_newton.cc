@@ -151,12 +151,12 @@ namespace conetact::solvers
                         const ContactState   &start,
                         const ContactState   &end)
   {
-    eigen_assert(start.u.size() == elastic->body().n_unknowns());
-    eigen_assert(end.u.size() == elastic->body().n_unknowns());
+    eigen_assert(start.u.size() == elastic->body().n_own());
+    eigen_assert(end.u.size() == elastic->body().n_own());
     const Kept start_u = elastic->body().keep(start.u);
     const bool follows =
       last && is_at(start, start_u, last->end_u, last->end_r);
-    if (!follows && !start.u.isZero(0))
+    if (!follows && elastic->norm(start_u) > 0)
       {
         last.reset(); // the load that it started from is not known
         return;

@@ -60,7 +60,7 @@ namespace conetact::solvers
   void
   LargeOperator::set_load(const ContactProblem &problem)
   {
-    eigen_assert(problem.load.size() == body().n_unknowns());
+    eigen_assert(problem.load.size() == body().n_own());
     numbers.set_load(of_contact(problem));
     whole_load      = body().keep(problem.load);
     load_of_contact = problem.load.tail(problem.system->n_unknowns());

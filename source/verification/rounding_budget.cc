@@ -70,11 +70,9 @@ namespace conetact::verification
   {
     for (unsigned int body = 0; body < ways.size() && u.size() > 0; ++body)
       {
-        const Index first = plain.offset(body);
-        ways[body] =
-          std::max(ways[body],
-                   solvers::largest(
-                     u.segment(first, plain.offset(body + 1) - first)));
+        const Index first = plain.offset(body), end = plain.offset(body + 1);
+        for (Index dof = first; dof < end; ++dof)
+          ways[body] = std::max(ways[body], std::abs(u[dof]));
       }
   }
 

@@ -99,7 +99,7 @@ namespace conetact::analysis
     void
     write_checkpoint();
     void
-    write_archive() const;
+    write_archive(const Eigen::VectorXd &elastic_start) const;
     void
     restore_state();
     /** Throws Interrupted between increments. */

@@ -59,6 +59,9 @@ namespace conetact::analysis
     Work                      done;
 
   private:
+    /** What acts at time t: all of it, and what is mechanical. */
+    void
+    take_loads(const double t, PendingIncrement &increment);
     void
     turn_loads(const Eigen::VectorXd &others, PendingIncrement &increment);
   };

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace conetact::bodies
@@ -31,10 +32,11 @@ namespace conetact::bodies
     /** What acts at one time. */
     struct Acting
     {
-      Eigen::VectorXd forces;     ///< on all dofs of all bodies
-      Eigen::VectorXd mechanical; ///< all but those of initial strains
+      Eigen::VectorXd mechanical; ///< all forces on all dofs of all bodies but
+                                  ///< those of initial strains
       Eigen::VectorXd thermal;    ///< the part of them that initial strains
                                   ///< (temperature) make; empty: none
+      Eigen::VectorXd both;       ///< their sum where there are thermal ones
       /** Force and moment about the origin of each load. */
       std::vector<std::pair<Tensor<1, 3>, Tensor<1, 3>>> each;
     };
@@ -57,7 +59,8 @@ namespace conetact::bodies
     Eigen::VectorXd
     at(const double t)
     {
-      return acting(t).forces;
+      Acting all = acting(t);
+      return std::move(all.thermal.size() > 0 ? all.both : all.mechanical);
     }
 
     /** What a load amounts to at the time at which it is largest. */

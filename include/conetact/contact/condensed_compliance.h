@@ -49,7 +49,7 @@ namespace conetact::contact
     reduce(const Eigen::VectorXd &forces,
            const Eigen::VectorXd &heat,
            const Eigen::VectorXd &prescribed) override;
-    Eigen::MatrixXd
+    std::vector<Eigen::VectorXd>
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
     void

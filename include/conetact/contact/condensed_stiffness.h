@@ -39,7 +39,7 @@ namespace conetact::contact
              const Coordinates          &coordinates,
              const condensed::Condenser &condenser);
 
-    Eigen::MatrixXd
+    std::vector<Eigen::VectorXd>
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
     void

@@ -112,9 +112,15 @@ namespace conetact::contact
     {
       return elastic.motions;
     }
-    /** What of it is kept in a checkpoint, and taken from one again. */
+    /** What of it is kept in a checkpoint, and taken from one again: with what
+     * all processes have of elastic displacements. */
+    Eigen::VectorXd
+    elastic_start() const
+    {
+      return model->elasticity().whole_start(elastic);
+    }
     void
-    save(Archive &archive) const;
+    save(const Eigen::VectorXd &elastic_start, Archive &archive) const;
     void
     restore(const Archive &archive);
 

@@ -63,13 +63,9 @@ namespace conetact::contact
     {
       return what(number(body, node)).rule;
     }
-    /** The number of the node of each unknown, for the order of elimination.
-     */
-    const std::vector<unsigned int> &
-    node_of_unknowns() const
-    {
-      return node_of_unknown;
-    }
+    /** The number of the node of each unknown. */
+    std::vector<unsigned int>
+    node_of_unknowns() const;
 
     /** A displacement of a bound node relative to what it faces. */
     struct BoundDirection
@@ -216,10 +212,9 @@ namespace conetact::contact
     std::vector<BoundDirection>      all_bound_directions;
     std::optional<HierarchicalMeans> means; ///< if contacts are such means
 
-    Eigen::Index              n_free = 0;
-    std::vector<int>          first_unknown; ///< of a node's free ones
-    std::vector<int>          own_unknown;   ///< of each dof, or -1
-    std::vector<unsigned int> node_of_unknown;
+    Eigen::Index n_free = 0;
+    CountingList first_unknown; ///< of a node's free ones
+    CountingList own_unknown;   ///< of each dof, or -1
   };
 } // namespace conetact::contact
 

@@ -56,6 +56,12 @@ namespace conetact::contact
     /** K u, the forces that hold the displacements u [force]. */
     Eigen::VectorXd
     internal_forces(const Eigen::VectorXd &u) const;
+    /** Whether there are foundations. */
+    bool
+    has_springs() const
+    {
+      return !springs.empty();
+    }
     /** Parts of them that go into structures, into foundations. */
     Eigen::VectorXd
     structure_forces(const Eigen::VectorXd &u) const;

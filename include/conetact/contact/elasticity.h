@@ -21,8 +21,13 @@ namespace conetact::contact
   /** A load case, seen by the contact unknowns. */
   struct LoadCase
   {
-    Eigen::VectorXd prescribed; ///< deformation that supports give, all dofs
-                                ///< [length]
+    Eigen::VectorXd prescribed; ///< deformation that supports give, all dofs;
+                                ///< empty: none [length]
+    bool
+    deforms() const
+    {
+      return prescribed.size() > 0;
+    }
     /** Its forces on the elastic unknowns [force]; of a large system f has
      * them. */
     Eigen::VectorXd b;
@@ -79,7 +84,7 @@ namespace conetact::contact
    * it comes about (elasticity_row.h). Displacements are the deformation w of
    * RigidMotions. What is primal is p of the solver's linear relation: elastic
    * displacements of the contact unknowns in stiffness form, reactions and free
-   * motions in compliance form, all unknowns of a large system.
+   * motions in compliance form, own numbers of a large system.
    */
   class Elasticity
   {
@@ -105,8 +110,9 @@ namespace conetact::contact
            const Eigen::VectorXd &heat,
            const Eigen::VectorXd &prescribed);
 
-    /** Deformation of all dofs, a column for each load case and its primal. */
-    virtual Eigen::MatrixXd
+    /** Deformation of all dofs for each load case and its primal; all processes
+     * call this. */
+    virtual std::vector<Eigen::VectorXd>
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const = 0;
 
@@ -154,8 +160,15 @@ namespace conetact::contact
     move(const Eigen::VectorXd &amounts,
          const Eigen::VectorXd &seen,
          solvers::ContactState &end) const = 0;
-    /** `start` once more, as this or the other Elasticity has left it; `q`:
-     * displacements of contact unknowns so far. */
+    /** What a state starts from, as checkpoints have it; all processes call
+     * this. */
+    virtual Eigen::VectorXd
+    whole_start(const ElasticState &state) const
+    {
+      return numbers(state.start);
+    }
+    /** The whole of it once more, as this or the other Elasticity has left it;
+     * `q`: displacements of contact unknowns so far. */
     virtual void
     restore(const std::vector<double> &start,
             const Eigen::VectorXd     &q,

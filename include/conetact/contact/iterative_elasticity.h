@@ -17,10 +17,10 @@ namespace conetact::contact
 {
   /**
    * The elastic system with all its unknowns, for solvers of LargeSystem: what
-   * is too large to be condensed. Loads are those of all unknowns, and so is
-   * what is primal. Nodes that face a master have the displacement relative to
-   * it as unknowns. Of several contacts of a node one has these axes, the
-   * others stand beside the unknowns (iterative::FurtherContacts).
+   * is too large to be condensed. Loads and what is primal are a process's own
+   * numbers of the LargeSystem. Nodes that face a master have the displacement
+   * relative to it as unknowns. Of several contacts of a node one has these
+   * axes, the others stand beside the unknowns (iterative::FurtherContacts).
    */
   class IterativeElasticity : public Elasticity
   {
@@ -32,7 +32,7 @@ namespace conetact::contact
                         const RigidMotions             &motions,
                         const iterative::Preconditioner preconditioner);
 
-    Eigen::MatrixXd
+    std::vector<Eigen::VectorXd>
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
     void
@@ -59,6 +59,8 @@ namespace conetact::contact
     move(const Eigen::VectorXd &amounts,
          const Eigen::VectorXd &seen,
          solvers::ContactState &end) const override;
+    Eigen::VectorXd
+    whole_start(const ElasticState &state) const override;
     void
     restore(const std::vector<double> &start,
             const Eigen::VectorXd     &q,
@@ -144,14 +146,18 @@ namespace conetact::contact
     /** From the diagonal of K, of all dofs. */
     void
     find_stiffness_of_bound(const Eigen::VectorXd &diagonal);
-    /** Of solvers' unknowns those of the elastic system, and back. */
+    /** Own numbers of those of all unknowns of solvers. */
+    Eigen::VectorXd
+    own(Eigen::VectorXd x) const;
+    /** From own numbers of solvers' unknowns all those of the elastic system,
+     * by all processes; and all of solvers from these. */
     Eigen::VectorXd
     elastic_part(const Eigen::VectorXd &x) const;
     Eigen::VectorXd
     with_further(const Eigen::VectorXd &u) const;
     /** Where nothing opposes a motion the shortest one is taken. */
     Eigen::VectorXd
-    without_motion(const Eigen::VectorXd &w) const;
+    without_motion(Eigen::VectorXd w) const;
 
     const ElasticSystem  &elastic;
     const ContactPoints  &points;

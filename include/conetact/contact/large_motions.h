@@ -9,13 +9,14 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace conetact::contact
 {
   /** Rigid motions of all bodies together, in the unknowns. They open no tie.
-   */
-  Eigen::MatrixXd
+   * The arguments must outlive them. */
+  std::vector<std::function<Eigen::VectorXd()>>
   common_motions(const model::Bodies &bodies, const Coordinates &coordinates);
 
   /** Displacements of all dofs by the motions that nothing resists,

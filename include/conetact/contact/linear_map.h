@@ -4,6 +4,7 @@
 #ifndef conetact_contact_linear_map_h
 #define conetact_contact_linear_map_h
 
+#include "conetact/base/counting_list.h"
 #include "conetact/base/index.h"
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@ namespace conetact::contact
 {
   /**
    * A sparse linear map @f$ u = C q @f$, written row by row. Most rows are one
-   * unknown, as it is, and take the memory of one number.
+   * unknown, as it is, and follow those before them, and take no memory.
    */
   class LinearMap
   {
@@ -82,11 +83,6 @@ namespace conetact::contact
     {
       columns = number;
     }
-    void
-    reserve(const std::size_t number)
-    {
-      rows.reserve(number);
-    }
 
   private:
     struct Entry
@@ -96,7 +92,7 @@ namespace conetact::contact
     };
 
     Eigen::Index             columns = 0;
-    std::vector<int>         rows;        ///< an unknown, or -1 - k: see start
+    CountingList             rows;        ///< an unknown, or -1 - k: see start
     std::vector<Entry>       entries;     ///< of all other rows
     std::vector<std::size_t> start = {0}; ///< of the k-th of these
   };

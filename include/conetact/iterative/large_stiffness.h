@@ -23,8 +23,10 @@ namespace conetact::iterative
   {
     Elements                  elements; ///< of K
     std::vector<unsigned int> node_of;  ///< of each unknown, any numbers
-    Eigen::MatrixXd           modes;    ///< rigid motions, a column for each
     solvers::ContactSystem    contact;  ///< layout of the last unknowns
+    /** Rigid motions, each of all unknowns: made one by one, as there is no
+     * need for the memory of all of them. */
+    std::vector<std::function<Eigen::VectorXd()>> modes;
     /** Nodes that are solved for together: see SurfaceSmoother. */
     std::set<unsigned int> surface;
     /** Nodes of coarse levels have those of one side; less than 0: a node with

@@ -47,7 +47,8 @@ namespace conetact::solvers
    *
    * Systems that are too large for a matrix of their contact unknowns stand in
    * the stiffness form, but with all their unknowns, of which those of contact
-   * are the last: K is that of a LargeSystem, f and u are those of all.
+   * are the last: K is that of a LargeSystem, f and u are a process's own
+   * numbers of it.
    *
    * Any consistent units will do; no solver may depend on their choice.
    */
@@ -155,7 +156,7 @@ namespace conetact::solvers
     /**
      * u of the stiffness form [length], which v = u + o knows only to the
      * rounding of o; empty: v - o. Not used where there is no offset. Of large
-     * systems: all unknowns.
+     * systems: a process's own numbers.
      */
     Eigen::VectorXd u = {};
     /** On entry: u near the end of the increment, where that is known. Of large

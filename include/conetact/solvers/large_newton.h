@@ -18,8 +18,8 @@ namespace conetact::solvers
    * they are cut, and their systems solved to the end; where that does not help
    * the increment is solved in parts.
    *
-   * Loads of its problems and u of its states are those of all unknowns. In
-   * between they are where the system keeps them.
+   * Loads of its problems and u of its states are own numbers of the
+   * LargeSystem. In between they are where the system keeps them.
    */
   class LargeNewton : public ContactSolver
   {

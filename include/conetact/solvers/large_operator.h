@@ -30,8 +30,7 @@ namespace conetact::solvers
     LargeOperator(std::shared_ptr<const ContactSystem> system,
                   const double                         tolerance);
 
-    /** The load and the laws of an increment; loads are those of all unknowns.
-     */
+    /** The load and the laws of an increment; loads are own numbers. */
     void
     set_load(const ContactProblem &problem);
 

@@ -27,8 +27,11 @@ namespace conetact::solvers
    * condensed systems. Forces [force], displacements [length].
    *
    * It keeps vectors where it computes with them, which may be in the memory of
-   * many processes: they cost messages only as they come and go. They are of
-   * use to the system that made them, no longer than it lives.
+   * many processes. They are of use to the system that made them, no longer
+   * than it lives. Between systems, numbers are those of a process's own
+   * unknowns: those that it computes with, in ascending order, and behind them
+   * all unknowns of contact, which each process has. They are all unknowns
+   * where a system is a process's own.
    */
   class LargeSystem
   {
@@ -42,9 +45,34 @@ namespace conetact::solvers
     virtual Index
     n_unknowns() const = 0;
 
+    /** How many of them are a process's own. */
+    virtual Index
+    n_own() const
+    {
+      return n_unknowns();
+    }
+    /** Own ones of the numbers of all unknowns. */
+    virtual Array
+    own(Array all) const
+    {
+      return all;
+    }
+    /** All of them, from own ones; all processes call this. */
+    virtual Array
+    all(Array own) const
+    {
+      return own;
+    }
+    /** The largest magnitude of all, from own ones; all processes call this. */
+    virtual double
+    largest(const Array &own) const
+    {
+      return own.size() > 0 ? own.lpNorm<Eigen::Infinity>() : 0.;
+    }
+
+    /** From own numbers, and back. */
     virtual Kept
     keep(const Array &x) const = 0;
-    /** All of them. */
     virtual Array
     numbers(const Kept &x) const = 0;
     /** Those of the unknowns of contact. */
@@ -61,7 +89,7 @@ namespace conetact::solvers
     virtual Kept
     multiply(const Kept &u) const = 0;
 
-    /** Diagonal of K. */
+    /** Diagonal of K, of all unknowns. */
     virtual Array
     diagonal() const = 0;
 

@@ -33,23 +33,16 @@ namespace conetact::bodies
               const typename Discretization<dim>::CellIterator &cell,
               const unsigned int                                number)
     {
-      const FESystem<dim>                 &fe      = body.fe;
-      const auto                           of_cell = body.nodes_of(cell);
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(number));
-      cell->face(number)->get_dof_indices(dofs, cell->active_fe_index());
+      const auto                        of_cell = body.nodes_of(cell);
       typename BoundaryFaces<dim>::Face face{cell->face(number)->boundary_id(),
                                              cell->active_cell_index(),
                                              number,
-                                             {},
+                                             body.nodes_of_face(cell, number),
                                              {}};
-      for (unsigned int i = 0; i < dofs.size(); ++i)
+      for (const unsigned int node : face.nodes)
         {
-          if (fe.face_system_to_component_index(i, number).first != 0)
-            continue;
-          face.nodes.push_back(static_cast<unsigned int>(dofs[i] / dim));
           // The face's own order of nodes is not that of its cell.
-          const auto place =
-            std::find(of_cell.begin(), of_cell.end(), face.nodes.back());
+          const auto place = std::find(of_cell.begin(), of_cell.end(), node);
           Assert(place != of_cell.end(), ExcInternalError());
           face.in_cell.push_back(
             static_cast<unsigned int>(place - of_cell.begin()));
@@ -67,10 +60,11 @@ namespace conetact::bodies
              update_values | update_quadrature_points | update_normal_vectors |
                update_JxW_values)
   {
-    for (const auto &cell : body.dof_handler.active_cell_iterators())
+    for (const auto &cell : body.triangulation->active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
           faces.push_back(make_face(body, cell, f));
+    faces.shrink_to_fit();
   }
 
   template <int dim>

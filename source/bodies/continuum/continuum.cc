@@ -41,10 +41,12 @@ namespace conetact::bodies
     plain(const Discretization<dim> &body, const bool has_phases)
     {
       ContinuumMesh<dim> mesh;
-      mesh.nodes.resize(body.dof_handler.n_dofs() / dim);
-      mesh.n_cell_nodes = body.fe.dofs_per_cell / dim;
-      mesh.hanging      = body.hanging_nodes();
-      for (const auto &cell : body.dof_handler.active_cell_iterators())
+      mesh.nodes.resize(body.n_nodes());
+      mesh.n_cell_nodes          = body.fe.dofs_per_cell / dim;
+      mesh.hanging               = body.hanging_nodes();
+      const unsigned int n_cells = body.triangulation->n_active_cells();
+      mesh.nodes_of_cells.reserve(std::size_t{n_cells} * mesh.n_cell_nodes);
+      for (const auto &cell : body.triangulation->active_cell_iterators())
         {
           mesh.material_ids.push_back(static_cast<int>(cell->material_id()));
           const auto nodes  = body.nodes_of(cell);
@@ -469,7 +471,8 @@ namespace conetact::bodies
         !discretization) // nothing can be refined
       return {};
     std::vector<double> errors = squared_jumps(*discretization, u);
-    for (const auto &cell : discretization->dof_handler.active_cell_iterators())
+    for (const auto &cell :
+         discretization->triangulation->active_cell_iterators())
       errors[cell->active_cell_index()] *=
         extent(cell->center()) *
         phases[mesh.phase(cell->active_cell_index())].material.stiffness();

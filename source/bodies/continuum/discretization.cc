@@ -47,24 +47,85 @@ namespace conetact::bodies
                    .template get_gauss_type_quadrature<dim>(degree + 1))
     , given(degree > 1 ? nodes : CellNodes<dim>())
   {
-    dof_handler.distribute_dofs(fe);
-    if (triangulation->has_hanging_nodes())
+    const bool hangs = triangulation->has_hanging_nodes();
+    if (degree == 1 && !hangs)
+      number_vertices();
+    else
+      dof_handler.distribute_dofs(fe);
+    if (hangs)
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     constraints.close();
+  }
+
+  /* As cells meet them, which is deal.II's order. */
+  template <int dim>
+  void
+  Discretization<dim>::number_vertices()
+  {
+    node_of_vertex.resize(triangulation->n_vertices(),
+                          numbers::invalid_unsigned_int);
+    for (const auto &cell : triangulation->active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (unsigned int &node = node_of_vertex[cell->vertex_index(v)];
+            node == numbers::invalid_unsigned_int)
+          node = n_vertices++;
+  }
+
+  template <int dim>
+  typename DoFHandler<dim>::active_cell_iterator
+  Discretization<dim>::with_dofs(const CellIterator &cell) const
+  {
+    return {triangulation.get(), cell->level(), cell->index(), &dof_handler};
+  }
+
+  template <int dim>
+  unsigned int
+  Discretization<dim>::n_nodes() const
+  {
+    return node_of_vertex.empty() ?
+             static_cast<unsigned int>(dof_handler.n_dofs()) / dim :
+             n_vertices;
   }
 
   template <int dim>
   std::vector<unsigned int>
   Discretization<dim>::nodes_of(const CellIterator &cell) const
   {
+    std::vector<unsigned int> nodes;
+    if (!node_of_vertex.empty())
+      {
+        for (const unsigned int v : cell->vertex_indices())
+          nodes.push_back(node_of_vertex[cell->vertex_index(v)]);
+        return nodes;
+      }
     // Without renumbering deal.II gives the components of a node consecutive
     // dofs.
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    cell->get_dof_indices(dofs);
-    std::vector<unsigned int> nodes;
+    with_dofs(cell)->get_dof_indices(dofs);
     for (unsigned int v = 0; v < fe.dofs_per_cell / dim; ++v)
       nodes.push_back(static_cast<unsigned int>(
         dofs[fe.component_to_system_index(0, v)] / dim));
+    return nodes;
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  Discretization<dim>::nodes_of_face(const CellIterator &cell,
+                                     const unsigned int  face) const
+  {
+    std::vector<unsigned int> nodes;
+    if (!node_of_vertex.empty())
+      {
+        for (const unsigned int v : cell->face(face)->vertex_indices())
+          nodes.push_back(node_of_vertex[cell->face(face)->vertex_index(v)]);
+        return nodes;
+      }
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(face));
+    const auto                           of_dofs = with_dofs(cell);
+    of_dofs->face(face)->get_dof_indices(dofs, of_dofs->active_fe_index());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (fe.face_system_to_component_index(i, face).first == 0)
+        nodes.push_back(static_cast<unsigned int>(dofs[i] / dim));
     return nodes;
   }
 

@@ -15,15 +15,19 @@ namespace conetact::bodies
   std::vector<double>
   squared_jumps(const Discretization<dim> &body, const Eigen::VectorXd &u)
   {
+    dealii::DoFHandler<dim> of_vertices(*body.triangulation);
+    const bool              has_dofs = body.dof_handler.has_active_dofs();
+    if (!has_dofs)
+      of_vertices.distribute_dofs(body.fe);
     const dealii::Vector<double> displacements(u.data(), u.data() + u.size());
     dealii::Vector<float>        jumps(body.triangulation->n_active_cells());
-    dealii::KellyErrorEstimator<dim>::estimate(body.mapping,
-                                               body.dof_handler,
-                                               dealii::QGauss<dim - 1>(
-                                                 body.fe.degree + 1),
-                                               {},
-                                               displacements,
-                                               jumps);
+    dealii::KellyErrorEstimator<dim>::estimate(
+      body.mapping,
+      has_dofs ? body.dof_handler : of_vertices,
+      dealii::QGauss<dim - 1>(body.fe.degree + 1),
+      {},
+      displacements,
+      jumps);
     std::vector<double> squares;
     for (const double jump : jumps)
       squares.push_back(jump * jump);

@@ -41,7 +41,7 @@ namespace
       one.primal  = history.primal();
       one.motions = history.free_motions();
       one.after   = history;
-      w           = model.elasticity().expand({&one.load}, {one.primal}).col(0);
+      w = model.elasticity().expand({&one.load}, {one.primal}).front();
       return one;
     }
 

@@ -31,9 +31,9 @@ namespace
   arrays_of(const Discretization<dim> &body)
   {
     ContinuumMesh<dim> mesh;
-    mesh.nodes.resize(body.dof_handler.n_dofs() / dim);
+    mesh.nodes.resize(body.n_nodes());
     mesh.n_cell_nodes = body.fe.dofs_per_cell / dim;
-    for (const auto &cell : body.dof_handler.active_cell_iterators())
+    for (const auto &cell : body.triangulation->active_cell_iterators())
       {
         const auto nodes = body.nodes_of(cell);
         const auto at    = body.places_of(cell);

@@ -171,8 +171,8 @@ TEST(Condensers, MakeTheSameBackend)
         const LoadCase f = a.reduce(forces, held), g = b.reduce(forces, held);
         EXPECT_LE((f.f - g.f).norm(), 1e-10 * f.f.norm());
         const Eigen::VectorXd primal = Eigen::VectorXd::Ones(A.rows());
-        const MatrixXd        u      = a.expand({&f}, {primal}),
-                       v             = b.expand({&g}, {primal});
+        const Eigen::VectorXd u      = a.expand({&f}, {primal}).front(),
+                              v      = b.expand({&g}, {primal}).front();
         EXPECT_LT((u - v).norm(), 1e-10 * u.norm());
       }
 }

@@ -159,7 +159,7 @@ TEST(CondensedCompliance, RecoveredDisplacementsBalanceAndAreThoseOfTheRelation)
     elastic.reduce(Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n));
   Eigen::VectorXd primal       = Eigen::VectorXd::Zero(r.size() + 6);
   primal.head(r.size())        = r;
-  const Eigen::VectorXd w      = elastic.expand({&load}, {primal}).col(0);
+  const Eigen::VectorXd w      = elastic.expand({&load}, {primal}).front();
   const Eigen::VectorXd forces = spread(model, r);
   EXPECT_LE((model.elastic.internal_forces(w) - forces).norm(),
             1e-12 * forces.norm());

@@ -106,7 +106,7 @@ TEST_F(Held, RecoveredDisplacementsBalanceLoadsAndReactions)
   const Eigen::VectorXd none    = Eigen::VectorXd::Zero(block.n_dofs());
   const LoadCase        load    = elastic.reduce(weight(), none);
   const Eigen::VectorXd q       = Eigen::VectorXd::LinSpaced(8, -.01, .02);
-  const Eigen::VectorXd u       = elastic.expand({&load}, {q}).col(0);
+  const Eigen::VectorXd u       = elastic.expand({&load}, {q}).front();
   EXPECT_LE((rows() * u - q).norm(), 1e-15);
   // K q = r + f
   const Eigen::VectorXd r = elastic.system()->matrix * q - load.f;

@@ -80,7 +80,7 @@ namespace
       given.node_of.push_back(static_cast<unsigned int>(q / 2));
     for (const unsigned int node : {6u, 6u, 7u, 7u})
       given.node_of.push_back(node);
-    given.modes    = MatrixXd::Random(n, 3);
+    given.modes.assign(3, [] { return VectorXd(VectorXd::Random(n)); });
     given.contact  = contact();
     given.position = [](const unsigned int node) {
       return std::array<double, 3>{{double(node), 0, 0}};

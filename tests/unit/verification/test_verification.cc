@@ -72,7 +72,7 @@ namespace
             model.points.set_friction(load.laws->coefficients(state));
           claim.amounts = model.amounts(load.placement, history.free_motions());
           claim.w       = contact::shared(
-            model.elasticity().expand({&load}, {history.primal()}).col(0));
+            model.elasticity().expand({&load}, {history.primal()}).front());
           claim.r      = state.r.head(model.points.n_unknowns());
           claim.states = state.node;
           claim.loads = claim.mechanical = contact::shared(forces);

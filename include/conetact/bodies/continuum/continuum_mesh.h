@@ -4,6 +4,7 @@
 #ifndef conetact_bodies_continuum_continuum_mesh_h
 #define conetact_bodies_continuum_continuum_mesh_h
 
+#include "conetact/base/counting_list.h"
 #include "conetact/bodies/structure.h"
 
 #include <deal.II/base/array_view.h>
@@ -23,7 +24,7 @@ namespace conetact::bodies
     std::vector<Point<dim>>   nodes;
     unsigned int              n_cell_nodes = 0;
     std::vector<unsigned int> nodes_of_cells; ///< one active cell by another
-    std::vector<int>          material_ids;   ///< of the cells, as in the file
+    CountingList              material_ids;   ///< of the cells, as in the file
     std::vector<HangingNode>  hanging;
     std::vector<unsigned int> phase_of_cell; ///< empty: one for all
 
