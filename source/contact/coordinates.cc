@@ -38,8 +38,7 @@ namespace conetact::contact
     , opens(p != nullptr ? open_cuts(b) :
                            std::vector<bool>(b.structures.size(), false))
   {
-    // Few nodes have a rule or a point: null is the usual answer, and costs one
-    // look.
+    // Few nodes have a rule or a point.
     special_of_node.resize(n_nodes(), -1);
     for (const NodeRule &rule : node_rules.rules())
       special(number(rule.body, rule.node)).rule = &rule;
@@ -479,8 +478,7 @@ namespace conetact::contact
     return result;
   }
 
-  /* Forces do on the masters the work that they would do on the hanging
-     node. */
+  /* Forces do the same work on the masters as on the hanging node. */
   void
   Coordinates::unhang(Eigen::VectorXd &f) const
   {
