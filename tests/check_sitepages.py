@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What scripts/sitepages.py makes for the site: each entry of the manual is in the reference once, each scene has a page,
-and each line of an example stands in the scene that it links.
+each line of an example stands in the scene that it links, and scenes set the units that their head comments name.
 
 usage: check_sitepages.py PROGRAM
 """
@@ -37,6 +37,14 @@ def faults_of_examples(folder, scenes):
     yield from (f"{scene} does not set {name} = {value}" for scene, name, value in found if (name, value) not in entries[scene])
 
 
+def faults_of_units(scenes):
+    """Files for ParaView have the units of the entry only."""
+    for scene in scenes:
+        told, units = re.search(r"Units: (?!any)", scene.text), [value for *place, value in scene.entries if place == ["Output", "Units"]]
+        if told and not units:
+            yield f"{scene.name}: its head comment names units, but there is no Output/Units"
+
+
 def faults_of_theory(text):
     left = re.findall(r"@f|\\our|\{#", sitepages.for_sphinx(text))
     if left:
@@ -51,6 +59,7 @@ def main(program):
         sitepages.write_reference(folder, manual, scenes)
         sitepages.write_scenes(Path(top) / "scenes", TOP / "doc/gallery", scenes)
         faults = [*faults_of_reference(folder, manual), *faults_of_examples(folder, scenes),
+                  *faults_of_units(scenes), *faults_of_units(sitepages.read_scenes(TOP / "doc/site/tutorials", "*/*.prm")),
                   *faults_of_theory((TOP / "doc/doxygen/theory.md").read_text())]
         if len(list((Path(top) / "scenes").glob("*.md"))) != len(scenes) + 1:
             faults.append("a scene has no page")
