@@ -48,6 +48,8 @@ def script(laws, name, *arguments):
 def demand_process(laws, name, folder):
     done = subprocess.run([TOP / "scripts" / name, "nowhere"], cwd=folder, capture_output=True, text=True)
     demand_sentence(laws, done, "no folder")
+    bare = subprocess.run([sys.executable, "-S", "-E", TOP / "scripts" / name, "nowhere"], cwd=folder, capture_output=True, text=True)
+    demand_sentence(laws, bare, "This Python", "python3-numpy")
 
 
 def demand_picture(laws, what, done, file):
