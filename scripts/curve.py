@@ -180,7 +180,7 @@ def draw(result, args):
     axes.set_yscale("log" if "y" in args.log else "linear")
     if axes.get_legend_handles_labels()[1]:
         axes.legend(frameon=False, fontsize="small")
-    save(figure, args.output or args.folder / "curve.png")
+    save(figure, args.output or args.folder / "curve.png", args.dpi)
 
 
 def numbers(text):
@@ -202,6 +202,7 @@ def parse(arguments):
     parser.add_argument("--increment", type=int, help="of curves along a contact; default: the last one")
     parser.add_argument("--points", action="store_true", help="no lines between points")
     parser.add_argument("--log", default="", choices=("x", "y", "xy"), help="logarithmic axes")
+    parser.add_argument("--dpi", type=int, default=130, help="dots an inch; default 130")
     parser.add_argument("--units", help="of length, force and stress, such as 'mm, N, MPa'; default: those of the scene")
     return parser.parse_args(arguments)
 

@@ -53,7 +53,7 @@ def draw(name, folder):
     run(TOP / "parameter-files" / f"{name}.prm", changes, folder / name)
     picture = TOP / "doc" / "gallery" / f"{name}.png"
     picture.parent.mkdir(exist_ok=True)
-    script, size = ("curve.py", []) if name in CURVES else ("picture.py", ["--dpi", "97"])
+    script, size = ("curve.py", ["--dpi", "172"]) if name in CURVES else ("picture.py", ["--dpi", "97"])
     subprocess.run([TOP / "scripts" / script, folder / name, *options, "-o", picture, *size], check=True)
     make_small(picture)
 

@@ -98,8 +98,10 @@ class Series:
         self.increments = increments_of(self.result, args.increment)
         self.space = self.result.dimension == 3
         self.is_rendered = self.space and screen.is_there()
-        self.factor = args.amplify or automatic_factor(self.result, self.increments[-1])
-        self.shapes = [shapes_of(self.result, n, self.factor) for n in self.increments]
+        last = self.result.bodies(self.increments[-1])
+        self.factor = args.amplify or automatic_factor(self.result, self.increments[-1], last)
+        self.shapes = [shapes_of(self.result, n, self.factor) for n in self.increments[:-1]]
+        self.shapes.append(shapes_of(self.result, self.increments[-1], self.factor, last))
         self.scales = scales_of(self.shapes, args.colour, args.percentile)
         if args.colour and args.colour not in [scale.quantity for scale in self.scales.values()]:
             names = sorted({name for body in self.shapes[0].bodies for name in body.arrays})

@@ -106,7 +106,7 @@ make_slim() {
 fill_image() {
   local root=$roots/image
   fresh_root image && cp "$deb" "$root/tmp/conetact.deb" &&
-    install_inside image /tmp/conetact.deb python3-numpy python3-matplotlib &&
+    install_inside image /tmp/conetact.deb python3-numpy python3-matplotlib python3-vtk9 xvfb &&
     cp "$root/usr/share/doc/apt/examples/sources.list" "$root/etc/apt/sources.list" &&
     rm -rf "$root/tmp/conetact.deb" "$root/$unsafe" "$root"/var/lib/apt/lists/* "$root"/var/log/*.log \
       "$root"/var/log/apt "$root"/root/.cache "$root/etc/resolv.conf" "$root/etc/hostname" &&

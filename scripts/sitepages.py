@@ -37,8 +37,8 @@ def entries_of(text):
             yield "/".join(sections), *match.groups()
 
 
-def read_scenes(folder):
-    return [Scene(file) for file in sorted(Path(folder).glob("*.prm"))]
+def read_scenes(folder, pattern="*.prm"):
+    return [Scene(file) for file in sorted(Path(folder).glob(pattern))]
 
 
 def uses(scenes, section, entry):

@@ -5,7 +5,7 @@
 
 usage: check_package.py PROGRAM CASE
 
-  doctests   each public function and method has an example, and all examples are right
+  doctests   each public function, method and property has an example, and all examples are right
   types      mypy finds no errors (skipped where it is not installed)
   scenes     shipped scenes are read, written and read by the program with the same values; typing errors get a sentence
   meshes     bodies of numpy arrays, meshio and pyvista give the same results as those of the program's own meshes
@@ -87,7 +87,7 @@ def modules():
 
 
 def public_things():
-    """Functions, classes and their methods, by name."""
+    """Functions, classes, their methods and properties, by name."""
     for name in conetact.__all__:
         thing = getattr(conetact, name)
         if inspect.isfunction(thing) or inspect.isclass(thing):
@@ -95,6 +95,8 @@ def public_things():
         for method, function in vars(thing).items() if inspect.isclass(thing) else ():
             if inspect.isfunction(getattr(function, "__func__", function)) and not method.startswith("_"):
                 yield f"{name}.{method}", getattr(function, "__func__", function)
+            if isinstance(function, property) and not method.startswith("_"):
+                yield f"{name}.{method}", function
 
 
 def doctests(laws):

@@ -10,6 +10,7 @@ usage: check_python.py PROGRAM CASE
   runs      entries, tables, log; an exception for each exit code
   sweeps    products and zipped lists; runs without equilibrium; kept folders
   shapes    surfaces of meshes with cells of two levels, factors, files of VTU
+  unrolled  maps of bores and tapers: arc length against the coordinate along the axis
 """
 import contextlib
 import io
@@ -47,6 +48,8 @@ def script(laws, name, *arguments):
 def demand_process(laws, name, folder):
     done = subprocess.run([TOP / "scripts" / name, "nowhere"], cwd=folder, capture_output=True, text=True)
     demand_sentence(laws, done, "no folder")
+    bare = subprocess.run([sys.executable, "-S", "-E", TOP / "scripts" / name, "nowhere"], cwd=folder, capture_output=True, text=True)
+    demand_sentence(laws, bare, "This Python", "python3-numpy")
 
 
 def demand_picture(laws, what, done, file):
@@ -248,7 +251,49 @@ def shapes(laws):
     laws.demand("odd units, none", Units("m and 205.8 MN").label("r_n") == "r_n [205.8 MN]" and Units("").label("r_n") == "r_n")
 
 
-CASES = {"pictures": pictures, "curves": curves, "runs": runs, "sweeps": sweeps, "shapes": shapes}
+def unrolled(laws):
+    """Places, arrows and labels of cylinders and cones; what is neither is seen from one side."""
+    from drawing.unrolled import sheet_of
+
+    def ring(turn, slope=0., axis=2, radius=10., n=40):
+        angles, z = (a.ravel() for a in np.meshgrid(np.linspace(-turn / 2, turn / 2, n, endpoint=turn < 6.2), np.linspace(3, 9, 5)))
+        r, fall = radius + slope * (z - 6), np.hypot(1, slope)
+        points = np.column_stack((r * np.cos(angles), r * np.sin(angles), z))
+        normals = np.column_stack((-np.cos(angles), -np.sin(angles), np.full(len(z), slope))) / fall
+        return angles, z, np.roll(points + (5, -3, 0), axis - 2, axis=1), np.roll(normals, axis - 2, axis=1)
+    for words, turn, slope, axis in (("half a bore", np.pi, 0, 2), ("a bore", 2 * np.pi, 0, 2), ("a taper", 2 * np.pi, .1, 2),
+                                     ("a steep cone about x", 4, 1, 0), ("a bore about y", 2 * np.pi, 0, 1)):
+        angles, z, points, normals = ring(turn, slope, axis)
+        sheet = sheet_of(points, normals)
+        arc, along = sheet.at.T
+        laws.check(f"{words}: along the axis", np.abs(along - z).max(), 1e-9)
+        span = np.mod(arc / 10 - angles, 2 * np.pi)  # angles begin at one of the axes
+        laws.check(f"{words}: arc length", np.abs(np.exp(1j * span) - np.exp(1j * span[0])).max(), 1e-9)
+        laws.demand(f"{words}: {sheet.labels}", sheet.labels[1] == "xyz"[axis] and sheet.labels[0].startswith("arc length at the mean radius 10"))
+        laws.demand(f"{words}: closed or not", (sheet.period > 0) == (turn > 6))
+        hoop = np.roll(np.column_stack((-np.sin(angles), np.cos(angles), 0 * z)), axis - 2, axis=1)
+        laws.check(f"{words}: arrows", max(np.abs(sheet.parts(hoop)[0] - 1).max(), np.abs(sheet.parts(hoop)[1]).max()), 1e-9)
+    angles, z, points, normals = ring(2 * np.pi)
+    sheet = sheet_of(points, normals)
+    n = 40
+    faces = np.array([(n * j + i, n * j + (i + 1) % n, n * (j + 1) + i) for j in range(4) for i in range(n)])
+    places, number, drawn = sheet.triangles(faces)
+    laws.demand("no triangle reaches across, those of the cut are at both ends", len(drawn) == len(faces) + 4 and len(places) == len(number)
+                and np.ptp(places[drawn][:, :, 0], axis=1).max() < 2 * 2 * np.pi * 10 / n)
+    flat = np.tile((0., 0., 1.), (25, 1))
+    grid = np.column_stack([a.ravel() for a in np.meshgrid(range(5), range(5))] + [np.zeros(25)]).astype(float)
+    laws.demand("a plane", sheet_of(grid, flat).labels == ("x", "y"))
+    _, _, points, normals = ring(1.5)
+    laws.demand("a part of a bore", sheet_of(points, normals).labels == ("y", "z"))
+    ball = np.random.default_rng(1).normal(size=(200, 3))
+    ball /= np.linalg.norm(ball, axis=1)[:, None]
+    laws.demand("a ball", "arc" not in sheet_of(ball, ball).labels[0])
+    sides = np.repeat(np.eye(3)[[0, 0, 1, 1]] * [[1], [-1], [1], [-1]], 9, axis=0)
+    box = 3 * sides + np.tile(np.column_stack([a.ravel() for a in np.meshgrid((-1, 0, 1), (0, 1, 2))]), (4, 1))[:, [0, 0, 1]] * (1 - np.abs(sides))
+    laws.demand("four sides of a box", "arc" not in sheet_of(box, sides).labels[0])
+
+
+CASES = {"pictures": pictures, "curves": curves, "runs": runs, "sweeps": sweeps, "shapes": shapes, "unrolled": unrolled}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[2] not in CASES:

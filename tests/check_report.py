@@ -120,6 +120,26 @@ def pages(laws):
     laws.demand("without pictures: a sentence says so", "There is no view" in without.words and not without.data)
     stopped_runs(laws)
     wrong_calls(laws)
+    rounding(laws)
+
+
+def rounding(laws):
+    """What is rounding beside the size of the scene or its forces is 0, and columns of nothing else are left out."""
+    sys.path.append(str(TOP / "python"))
+    import numpy as np
+    from conetact.report import tables
+    from conetact.units import Units
+    rows = np.array([(1, 1., 2e-3, 50., -1.366e-14, 1e3, 3e-10, 2e-10, 4e-12, 1e-13), (2, 2., 4e-3, 50., 1e-6, 2e3, 1e-10, 5e-9, 8e-12, 2e-13)],
+                    dtype=[("increment", int), *((name, float) for name in (
+                        "time", "largest_displacement", "largest_displacement_x", "largest_displacement_y", "loads_f_x", "loads_f_y",
+                        "loads_m_z", "strain_energy", "residual"))])
+    found = tables.rounded(rows, tables.scales_of(rows))
+    laws.demand("a coordinate of rounding is 0, a small one is not", list(found["largest_displacement_y"]) == [0, 1e-6])
+    laws.demand("forces and moments", not found["loads_f_y"].any() and not found["loads_m_z"].any() and list(found["loads_f_x"]) == [1e3, 2e3])
+    laws.demand("energies and residuals have scales of their own", list(found["strain_energy"]) == [4e-12, 8e-12]
+                and list(found["residual"]) == [1e-13, 2e-13] and rows["largest_displacement_y"][0] != 0)
+    written = tables.resultants_table(found, Units("N, mm"))
+    laws.demand("columns of rounding are left out", "loads_f_x [N]" in written and "loads_f_y" not in written)
 
 
 def stopped_runs(laws):

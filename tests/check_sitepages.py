@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What scripts/sitepages.py makes for the site: each entry of the manual is in the reference once, each scene has a page,
-and each line of an example stands in the scene that it links.
+each line of an example stands in the scene that it links, scenes set the units that their head comments name,
+and tutorials show the whole of their drawings and scenes and link these.
 
 usage: check_sitepages.py PROGRAM
 """
@@ -16,6 +17,7 @@ TOP = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TOP / "scripts"))
 import sitepages  # noqa: E402 (it is beside the scripts)
 
+INCLUDED = re.compile(r"^```\{literalinclude\} (\S+)\n((?::.*\n)*)```$", re.MULTILINE)
 EXAMPLE = re.compile(r"^\* \[([^\]]+)\]\(\.\./scenes/\1\.md\): `set (.+?) = (.*)`$", re.MULTILINE)
 
 
@@ -37,6 +39,40 @@ def faults_of_examples(folder, scenes):
     yield from (f"{scene} does not set {name} = {value}" for scene, name, value in found if (name, value) not in entries[scene])
 
 
+def faults_of_units(scenes):
+    """Files for ParaView have the units of the entry only."""
+    for scene in scenes:
+        told, units = re.search(r"Units: (?!any)", scene.text), [value for *place, value in scene.entries if place == ["Output", "Units"]]
+        if told and not units:
+            yield f"{scene.name}: its head comment names units, but there is no Output/Units"
+
+
+def lines_shown(text, options):
+    """Numbers of the lines that Sphinx includes."""
+    options = dict(re.findall(r"^:([\w-]+): (.*)$", options, re.MULTILINE))
+    lines = text.splitlines()
+    first = next(i for i, line in enumerate(lines) if options["start-at"] in line)
+    last = next((i for i, line in enumerate(lines) if i > first and options["end-before"] in line), first) \
+        if "end-before" in options else len(lines)
+    return set(range(first, last))
+
+
+def faults_of_tutorial(page):
+    shown = {}
+    for name, options in INCLUDED.findall(page.read_text()):
+        shown.setdefault(name, set()).update(lines_shown((page.parent / name).read_text(), options))
+    for file in sorted((page.parent / page.stem).glob("*.*")):
+        name = f"{page.stem}/{file.name}"
+        if file.suffix not in (".geo", ".prm", ".py"):
+            continue
+        if f"]({name})" not in page.read_text():
+            yield f"{page.name}: no link leads to {name}"
+        comment = "#" if file.suffix != ".geo" else "//"
+        hidden = [line for i, line in enumerate(file.read_text().splitlines())
+                  if i not in shown.get(name, ()) and line.strip() and not line.startswith(comment)]
+        yield from (f"{page.name}: does not show '{line}' of {name}" for line in hidden)
+
+
 def faults_of_theory(text):
     left = re.findall(r"@f|\\our|\{#", sitepages.for_sphinx(text))
     if left:
@@ -51,6 +87,8 @@ def main(program):
         sitepages.write_reference(folder, manual, scenes)
         sitepages.write_scenes(Path(top) / "scenes", TOP / "doc/gallery", scenes)
         faults = [*faults_of_reference(folder, manual), *faults_of_examples(folder, scenes),
+                  *faults_of_units(scenes), *faults_of_units(sitepages.read_scenes(TOP / "doc/site/tutorials", "*/*.prm")),
+                  *(fault for page in sorted((TOP / "doc/site/tutorials").glob("*.md")) for fault in faults_of_tutorial(page)),
                   *faults_of_theory((TOP / "doc/doxygen/theory.md").read_text())]
         if len(list((Path(top) / "scenes").glob("*.md"))) != len(scenes) + 1:
             faults.append("a scene has no page")

@@ -38,6 +38,7 @@ class Conetact(CMakePackage):
     depends_on("python@3.11:", type="run")
     depends_on("py-numpy", type="run")
     depends_on("py-matplotlib", type="run")
+    depends_on("vtk+python", type="run")  # pictures in space
 
     build_targets = ["conetact", "conetact-reproductions"]
 

@@ -50,6 +50,11 @@ class Mesh:
 
     @property
     def n_cells(self) -> int:
+        """Number of all cells of the body.
+
+        >>> conetact.Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)]).n_cells
+        1
+        """
         return sum(len(rows) for _, rows in self.cells)
 
     def _faces(self, name: Name, rows: npt.ArrayLike | Condition) -> Blocks:

@@ -80,27 +80,47 @@ class Result:
 
     @property
     def reactions(self) -> Table:
-        """A row for each contact node and increment."""
+        """A row for each contact node and increment.
+
+        >>> conetact.run(SCENE).reactions["state"][:2]
+        array(['slip', 'slip'], dtype='<U5')
+        """
         return self.table("reactions")
 
     @property
     def increments(self) -> Table:
-        """A row for each increment."""
+        """A row for each increment.
+
+        >>> conetact.run(SCENE).increments["time"]
+        array([1.])
+        """
         return self.table("increments")
 
     @property
     def history(self) -> Table:
-        """Largest displacement and pressure of each increment, displacements of the probes."""
+        """Largest displacement and pressure of each increment, displacements of the probes.
+
+        >>> round(conetact.run(SCENE).history["largest_displacement"][-1], 6)
+        0.000777
+        """
         return self.table("history")
 
     @property
     def events(self) -> Table:
-        """Changes of contact states along a load path, a row for each node."""
+        """Changes of contact states along a load path, a row for each node.
+
+        >>> conetact.run("parameter-files/pushed-block.prm").events[["from", "to"]][0]
+        ('stick', 'slip-')
+        """
         return self._load_path()[0]
 
     @property
     def outcome(self) -> tuple[str, float]:
-        """How a load path ends, and the load parameter of that."""
+        """How a load path ends, and the load parameter of that.
+
+        >>> conetact.run("parameter-files/pushed-block.prm").outcome
+        ('limit load: sliding', 0.5)
+        """
         return self._load_path()[1]
 
     def _load_path(self) -> tuple[Table, tuple[str, float]]:
@@ -110,18 +130,30 @@ class Result:
 
     @property
     def log(self) -> str:
-        """What the program says about the run."""
+        """What the program says about the run.
+
+        >>> conetact.run(SCENE).log.startswith("Conetact")
+        True
+        """
         return self._text("log.txt")
 
     @property
     def entries(self) -> dict[str, str]:
-        """Every value in force, of used.prm."""
+        """Every value in force, of used.prm.
+
+        >>> conetact.run(SCENE).entries["Bodies"]
+        'block'
+        """
         self._text("used.prm")
         return read_entries(self.folder / "used.prm")
 
     @property
     def dimension(self) -> int:
-        """Of space."""
+        """2 in the plane, 3 in space.
+
+        >>> conetact.run(SCENE).dimension
+        2
+        """
         return int(self.entries["Dimension"])
 
     def _text(self, name: str) -> str:

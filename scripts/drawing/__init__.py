@@ -4,7 +4,12 @@
 import sys
 from pathlib import Path
 
-import matplotlib
+try:
+    import matplotlib
+    import numpy  # noqa: F401 (told of here, where it is first needed)
+except ModuleNotFoundError as error:
+    sys.exit(f"{Path(sys.argv[0]).name}: This Python, {sys.executable}, has no {error.name}. Call the script without 'python3' "
+             "before it, or with /usr/bin/python3, which has it from Debian's packages python3-numpy and python3-matplotlib.")
 
 matplotlib.use("Agg")
 sys.path.append(str(Path(__file__).resolve().parents[2] / "python"))

@@ -6,6 +6,9 @@ import re
 import numpy as np
 
 from drawing.colours import STATES
+from drawing.unrolled import sheet_of
+
+WIDE = 12  # times as wide as high: lengths of both axes differ
 
 
 def friction_coefficient(result, contact):
@@ -85,18 +88,18 @@ def draw_line(axes, contact, series, result, units):
 
 
 def draw_map(figure, axes, contact, series, units):
-    """Seen along the mean normal: pressure in colour, friction as arrows, states as marks."""
+    """Seen along the mean normal, or unrolled: pressure in colour, friction as arrows, states as marks."""
     (normal, *_), (what, kind) = carried(contact)
-    across = int(np.abs(contact.normals.sum(axis=0)).argmax())
-    i, j = (axis for axis in range(3) if axis != across)
-    p = contact.points[:, [i, j]]
+    sheet = sheet_of(contact.points, contact.normals)
+    p = sheet.at
     low, high = extremes(series)
     scale = {"cmap": "viridis", "vmin": low, "vmax": high if high > low else low + 1}
     covered = len(np.unique(contact.faces)) == len(p)  # else some faces have corners that meet nothing
     if covered:
         faces = contact.faces[:, [0, 1, 2, 0, 2, -1]].reshape(-1, 3)
         faces = faces[faces[:, 1] != faces[:, 2]]  # those of simplices repeat a corner
-        drawn = axes.tripcolor(*p.T, faces, normal, shading="gouraud", **scale)
+        places, number, faces = sheet.triangles(faces)
+        drawn = axes.tripcolor(*places.T, faces, normal[number], shading="gouraud", **scale)
     else:
         drawn = axes.scatter(*p.T, c=normal, s=60, **scale)
         axes.margins(.12)
@@ -109,12 +112,14 @@ def draw_map(figure, axes, contact, series, units):
     friction = contact.reactions - contact.rows["r_n"][:, None] * contact.normals
     size = np.linalg.norm(friction, axis=1).max()
     if size > 0:
-        axes.quiver(*p.T, friction[:, i], friction[:, j], angles="xy", scale_units="xy", width=.004,
+        axes.quiver(*p.T, *sheet.parts(friction), angles="xy", scale_units="xy", width=.004,
                     color="white" if covered else "0.4", scale=size / (.08 * np.ptp(p, axis=0).max()))
-    axes.set_aspect("equal")
+    axes.set_aspect("equal" if np.ptp(p[:, 0]) < WIDE * np.ptp(p[:, 1]) else "auto")
     axes.autoscale_view()
-    axes.set_xlabel(units.label("xyz"[i]))
-    axes.set_ylabel(units.label("xyz"[j]))
+    if sheet.period:
+        axes.set_xlim(-sheet.period / 2, sheet.period / 2)
+    axes.set_xlabel(units.label(sheet.labels[0], "length"))
+    axes.set_ylabel(units.label(sheet.labels[1], "length"))
     label = "normal force" if kind == "force" else "contact pressure"
     figure.colorbar(drawn, ax=axes, label=units.label(label, kind))
     add_legend(axes, contact)

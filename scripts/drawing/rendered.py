@@ -111,7 +111,7 @@ class Stage:
             look.SetLineWidth(width)
 
     def picture(self, width, height):
-        """Numbers from 0 to 1 by height, width and colour."""
+        """Numbers from 0 to 255 by height, width and colour."""
         window = self.new("vtkRenderWindow")
         window.SetOffScreenRendering(1)
         window.SetMultiSamples(0)
@@ -122,7 +122,7 @@ class Stage:
         pixels = self.new("vtkUnsignedCharArray")
         window.GetRGBACharPixelData(0, 0, FINE * width - 1, FINE * height - 1, 1, pixels)
         found = self.numpy.vtk_to_numpy(pixels)[:, :3].reshape(height, FINE, width, FINE, 3)
-        return found.mean(axis=(1, 3))[::-1] / 255
+        return (found.sum(axis=(1, 3), dtype=np.uint16)[::-1] // FINE**2).astype(np.uint8)
 
 
 def directions(view):
@@ -259,7 +259,8 @@ def add_shapes(stage, shapes, scales, arrows, size, clips, eye):
 
 def pixels_of(axes, dpi):
     """Width and height that a picture has in these axes, once the figure is laid out."""
-    axes.figure.draw_without_rendering()
+    axes.figure.get_layout_engine().execute(axes.figure)
+    axes.figure.set_layout_engine("none")  # it would be laid out again for the file
     box = axes.get_window_extent()
     return [max(int(round(x * dpi / axes.figure.dpi)), 16) for x in (box.width, box.height)]
 

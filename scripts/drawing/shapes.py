@@ -70,7 +70,7 @@ def merged(mesh):
 
 def same_rows(rows):
     """The first of equal rows each, and which of these every row is."""
-    order = np.lexsort(rows.T)
+    order = np.lexsort(pairs(rows).T)
     new = np.ones(len(rows), bool)
     new[1:] = (rows[order[1:]] != rows[order[:-1]]).any(axis=1)
     group = np.empty(len(rows), int)
@@ -78,16 +78,36 @@ def same_rows(rows):
     return order[new], group
 
 
+def pairs(rows):
+    """Two numbers of nodes as one, which halves the work of sorting."""
+    n = int(rows.max(initial=0)) + 1
+    if rows.dtype.kind != "i" or rows.shape[1] % 2 or n >= 2**31:
+        return rows
+    return rows[:, ::2].astype(np.int64) * n + rows[:, 1::2]
+
+
+def boxes(points, step, shift):
+    """A number for the box of a grid that a point is in; few boxes share one."""
+    keys = np.floor(points / step + shift).astype(np.int64)
+    return keys @ np.array([73856093, 19349669, 83492791][:points.shape[1]], np.int64)
+
+
 def places(points, size):
     """A function that finds the node at a place, -1 where there is none, to 1e-5 of the size."""
-    step = 1e-5 * (size or 1)
-    grids = [{tuple(key): i for i, key in enumerate(np.floor(points / step + shift).astype(int).tolist())}
-             for shift in (0, .5)]
+    step, grids = 1e-5 * (size or 1), []
+    for shift in (0, .5):
+        keys = boxes(points, step, shift)
+        order = np.argsort(keys, kind="stable")
+        grids.append((shift, keys[order], order))
 
     def find(x):
-        keys = [np.floor(x / step + shift).astype(int).tolist() for shift in (0, .5)]
-        return np.array([a.get(tuple(k), b.get(tuple(m), -1)) for a, b, k, m in [
-            (*grids, k, m) for k, m in zip(*keys)]], dtype=int)
+        found = np.full(len(x), -1)
+        for shift, keys, order in grids if len(points) else ():
+            wanted = boxes(x, step, shift)
+            at = np.maximum(np.searchsorted(keys, wanted, side="right") - 1, 0)
+            is_there = (keys[at] == wanted) & (np.abs(points[order[at]] - x).max(axis=1) <= step)
+            found = np.where((found < 0) & is_there, order[at], found)
+        return found
     return find
 
 
@@ -99,7 +119,9 @@ def surface(points, cells, levels=True):
     faces = faces[first[counts == 1]]
     if not levels:
         return faces
-    middle = places(points, np.ptp(points, axis=0).max())(points[faces].mean(axis=1))
+    on_surface = np.unique(faces)
+    found = places(points[on_surface], np.ptp(points, axis=0).max())(points[faces].mean(axis=1))
+    middle = np.where(found < 0, -1, on_surface[found])
     return faces[(middle < 0) & ~np.isin(faces, middle[middle >= 0]).any(axis=1)]
 
 
@@ -214,9 +236,9 @@ def size_of(points):
     return float(np.linalg.norm(np.ptp(np.vstack(list(points)), axis=0)))
 
 
-def automatic_factor(result, increment):
+def automatic_factor(result, increment, meshes=None):
     """The largest displacement drawn is at most a tenth of the size, the largest gap at the start a twentieth."""
-    meshes = result.bodies(increment).values()
+    meshes = (meshes or result.bodies(increment)).values()
     size = size_of(mesh.points for mesh in meshes)
     largest = max(np.linalg.norm(mesh.arrays["displacement"], axis=1).max() for mesh in meshes)
     rows = rows_of(result, increment)
@@ -228,8 +250,8 @@ def rows_of(result, increment):
     return result.reactions[result.reactions["increment"] == increment]
 
 
-def shapes_of(result, increment, factor):
-    meshes = result.bodies(increment)
+def shapes_of(result, increment, factor, meshes=None):
+    meshes = meshes or result.bodies(increment)
     bodies = [make_body(name, mesh, factor) for name, mesh in meshes.items()]
     rows = rows_of(result, increment)
     names = list(dict.fromkeys(rows["contact"].tolist()))

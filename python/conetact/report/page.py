@@ -74,13 +74,21 @@ def counted(n, word):
     return f"{n} {word}{'' if n == 1 else 's'}"
 
 
-def largest(result, name, units, kind):
+def tables_of(result):
+    """Rows of increments.csv and history.csv, without what is rounding beside the size of the scene and its forces."""
+    increments = result.increments
+    history = result.history if (result.folder / "history.csv").exists() else increments[:0]
+    reactions = [result.reactions] if (result.folder / "reactions.csv").exists() else []
+    scales = tables.scales_of(increments, history, *(rows[["x", "y", "z"]] for rows in reactions))
+    return tables.rounded(increments, scales), tables.rounded(history, scales)
+
+
+def largest(history, dimension, name, units, kind):
     """The largest value of the history with its place, as two texts."""
-    history = result.history if (result.folder / "history.csv").exists() else ()
     if not len(history) or not history[name].any():
         return "none", ""
     row = history[np.abs(history[name]).argmax()]
-    place = ", ".join(f"{row[f'{name}_{axis}']:.4g}" for axis in "xyz"[:result.dimension])
+    place = ", ".join(f"{row[f'{name}_{axis}']:.4g}" for axis in "xyz"[:dimension])
     owner = next(str(row[f"{name}_{of}"]) for of in ("contact", "body") if f"{name}_{of}" in history.dtype.names)
     unit = units.names.get(kind, "")
     return f"{row[name]:.4g} {unit}".strip(), f"{owner}, at ({place}), increment {row['increment']}"
@@ -111,10 +119,11 @@ def card(title, value, note, kind=""):
 
 def summary(result, outcome, units):
     kind, words, note = verdict(result, outcome)
+    history, dimension = tables_of(result)[1], result.dimension
     contacts = contact_names(result, outcome)
     cards = [card("Outcome", words, note, kind),
-             card("Largest pressure", *largest(result, "largest_pressure", units, "stress")),
-             card("Largest displacement", *largest(result, "largest_displacement", units, "length")),
+             card("Largest pressure", *largest(history, dimension, "largest_pressure", units, "stress")),
+             card("Largest displacement", *largest(history, dimension, "largest_displacement", units, "length")),
              card("Contacts", str(len(contacts)), "; ".join(filter(None, [few(contacts), states(result)]))),
              card("Largest relative error", *residuals(result)),
              card("Warnings", str(len(outcome.warnings)), "see below" if outcome.warnings else "",
@@ -144,10 +153,10 @@ def list_of(texts):
 
 
 def table_sections(result, units):
-    rows = result.increments
+    rows, history = tables_of(result)
     if not len(rows):
         return section("Increments", paragraphs(["No increment is solved."]))
-    history = tables.history_table(result.history, units) if (result.folder / "history.csv").exists() else ""
+    history = tables.history_table(history, units) if len(history) else ""
     return (section("Resultants", tables.resultants_table(rows, units))
             + section("Increments", tables.solved_table(rows, units))
             + section("Energies", tables.others_table(rows, units)) + section("Largest values and probes", history))

@@ -1,10 +1,15 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of the page; each scrolls in a box of its own."""
+import re
 from html import escape
 
 import numpy as np
 
+SMALL = 1e-9  # what is smaller than this part of its like is rounding, and 0 in a table
+KINDS = (("place", r"[xyz]|largest_.*_[xyz]"), ("displacement", r"largest_displacement|(obstacle_)?.+_u_[xyz]"),
+         ("force", r".*_f_[xyz]|preload_.*_force"), ("moment", r".*_m_[xyz]"),
+         ("energy", r"strain_energy|external_work|dissipation|contact_work.*"))
 MOST_ROWS = 400
 SOLVED = ("solver", "substeps", "iterations", "residual", "equilibrium", "balance", "open", "stick", "slip",
           "determinate")
@@ -40,6 +45,29 @@ def thinned(rows):
         return rows, ""
     kept = rows[::-1][::step][::-1]
     return kept, f"<p>Every {step}th increment is in this table; increments.csv has all {len(rows)}.</p>"
+
+
+def kind_of(name):
+    return next((kind for kind, pattern in KINDS if re.fullmatch(pattern, name)), None)
+
+
+def scales_of(*rows):
+    """The largest places, displacements, forces, moments and energies of a run; moments are no smaller than forces times places."""
+    scales = {kind: 0. for kind, _ in KINDS}
+    for table_rows in rows:
+        for name in table_rows.dtype.names:
+            if (kind := kind_of(name)) and len(table_rows):
+                scales[kind] = max(scales[kind], float(np.abs(table_rows[name]).max()))
+    return {**scales, "moment": max(scales["moment"], scales["force"] * scales["place"])}
+
+
+def rounded(rows, scales):
+    """The same rows; what is rounding is 0."""
+    rows = rows.copy()
+    for name in rows.dtype.names:
+        if kind := kind_of(name):
+            rows[name] = np.where(np.abs(rows[name]) < SMALL * scales[kind], 0., rows[name])
+    return rows
 
 
 def columns_table(rows, names, units):
