@@ -142,6 +142,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         number_node(body, i);
+    first_unknown.push_back(static_cast<int>(n_free));
 
     for (const auto &[point, first] : axes.own())
       {
@@ -184,11 +185,7 @@ namespace conetact::contact
     std::vector<unsigned int> nodes(static_cast<std::size_t>(n_unknowns()));
     auto                      next = nodes.begin();
     for (unsigned int n = 0; n < n_nodes(); ++n)
-      {
-        const Eigen::Index end =
-          n + 1 < n_nodes() ? first_unknown[n + 1] : n_free;
-        next = std::fill_n(next, end - first_unknown[n], n);
-      }
+      next = std::fill_n(next, first_unknown[n + 1] - first_unknown[n], n);
     for (const auto &[point, first] : axes.own())
       next = std::fill_n(next,
                          point->dual.size(),
