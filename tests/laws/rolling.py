@@ -9,7 +9,7 @@ import math
 
 from laws.sliding import FAR
 from support.scenes import box, contact
-from support.tables import MOTION, in_space
+from support.tables import MOTION, Run, in_space
 from support.vectors import plus
 
 RADIUS, ARM, LOAD, MU, DEGREES = 2.0, .5, 8.0, .3, 20.0
@@ -103,8 +103,9 @@ def planet(laws):
 
 
 def groove(laws):
-    """A roller in a groove of 90 degrees under its weight W spins at the moment sqrt(2) mu W R / (1 + mu^2): what turns it
-    beyond that has no equilibrium, though feet that stay where they were would give it one."""
+    """A roller in a groove of 90 degrees under its weight W spins at the moment sqrt(2) mu W R / (1 + mu^2), or a little more
+    on a facet. What is turned by more spins until its dead load turns it by no more, or has no equilibrium; feet that stay
+    where they were would hold any moment."""
     radius, mu, weight, young = 10.0, .1, 100.0, 210e3
     limit = math.sqrt(2) * mu * weight * radius / (1 + mu * mu)
 
@@ -123,8 +124,16 @@ def groove(laws):
     for refinements in (4, 5):
         run = laws.run(scene(.9, refinements), bounds=False)
         laws.demand(f"groove, {refinements} refinements: nine tenths of the moment are held", run.increments[-1]["time"] == 2)
+        lever = radius * math.sin(math.pi / (4 * 2**refinements))  # half a facet
         for part in (1.7, 2.5) if refinements == 4 else (1.4,):
-            laws.demand(f"  {part} of it are not", laws.start(scene(part, refinements))[0].returncode == 2)
+            done, folder = laws.start(scene(part, refinements))
+            last = Run(folder).increments[-1]
+            held = last["time"] == 2
+            laws.demand(f"  {part} of it: {'it spins to where that is less' if held else 'refused'}", done.returncode == (0 if held else 2))
+            if held:
+                pressed = sum((math.copysign(last[f"{c}_f_x"], 1) + last[f"{c}_f_y"]) / math.sqrt(2) for c in "lr")
+                laws.check("  moment over what friction and half a facet hold",
+                           abs(last["l_m_z"] + last["r_m_z"]) / (pressed * (mu * radius + lever)), 1.001)
 
 
 def rolling(laws):
