@@ -263,6 +263,39 @@ namespace conetact::bodies
                               "than zero.");
       load.axis /= load.axis.norm();
     }
+
+    /** What does not act alike all round a body of revolution. */
+    void
+    refuse_one_sided(const Load::Kind kind, const std::string &in)
+    {
+      if (kind == Load::Kind::moment)
+        throw InputError(in + "Kind: nothing turns a body of revolution out of "
+                              "its plane. Choose a force, along y.");
+      if (kind == Load::Kind::bearing)
+        throw InputError(in + "Kind: a pin presses one side of a bore, and "
+                              "bodies of revolution are loaded alike all "
+                              "round. Choose a pressure.");
+    }
+
+    /** Values of the whole body, or of a whole force, that say they vary. */
+    void
+    refuse_place(const Load        &load,
+                 const std::string &value,
+                 const std::string &in)
+    {
+      const bool uses_space =
+        std::any_of(load.value.begin(),
+                    load.value.end(),
+                    [](const Expression &e) { return e.uses_space(); });
+      if (uses_space && (load.kind == Load::Kind::centrifugal ||
+                         load.kind == Load::Kind::bearing))
+        throw InputError(in + "Value: '" + value +
+                         "' depends on the place. It is " +
+                         (load.kind == Load::Kind::bearing ?
+                            "a whole force" :
+                            "the angular velocity of a body") +
+                         ": use t only.");
+    }
   } // namespace
 
   Load
@@ -302,15 +335,8 @@ namespace conetact::bodies
                                *structures[load.body],
                                bodies[load.body],
                                in + "Boundary ids");
-    if ((load.kind == Load::Kind::moment || load.kind == Load::Kind::bearing) &&
-        structures[load.body]->is_axisymmetric())
-      throw InputError(
-        in + "Kind: " +
-        (load.kind == Load::Kind::moment ?
-           "nothing turns a body of revolution out of its plane. Choose a "
-           "force, along y." :
-           "a pin presses one side of a bore, and bodies of revolution are "
-           "loaded alike all round. Choose a pressure."));
+    if (structures[load.body]->is_axisymmetric())
+      refuse_one_sided(load.kind, in);
     load.is_rigid = is_rigid(prm);
     if (load.is_rigid)
       read_rigid(prm, dim, *structures[load.body], in, load);
@@ -349,17 +375,7 @@ namespace conetact::bodies
       throw InputError(in +
                        "Value: a rigid ring moves along y only. Give 0 for "
                        "x.");
-    const bool uses_space =
-      std::any_of(load.value.begin(),
-                  load.value.end(),
-                  [](const Expression &e) { return e.uses_space(); });
-    if (uses_space && (load.kind == Load::Kind::centrifugal ||
-                       load.kind == Load::Kind::bearing))
-      throw InputError(
-        in + "Value: '" + value + "' depends on the place. It is " +
-        (load.kind == Load::Kind::bearing ? "a whole force" :
-                                            "the angular velocity of a body") +
-        ": use t only.");
+    refuse_place(load, value, in);
     return load;
   }
 } // namespace conetact::bodies

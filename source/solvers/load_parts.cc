@@ -54,6 +54,18 @@ namespace conetact::solvers
       change.of_offset = change.offset_at_end - (v - u);
       return change;
     }
+
+    /** Makes the next part as small as it must be to be held; whether none may
+     * be. */
+    bool
+    is_at_limit(const LoadParts &parts, const ContactState &now, double &size)
+    {
+      if (!parts.is_too_much)
+        return false;
+      while (size > next_to_limit && parts.is_too_much(now, size))
+        size = std::max(size / 2, next_to_limit);
+      return size <= next_to_limit && parts.is_too_much(now, next_to_limit);
+    }
   } // namespace
 
 
@@ -112,11 +124,7 @@ namespace conetact::solvers
     bool                     may_other = static_cast<bool>(parts.otherwise);
     while (done < 1)
       {
-        while (size > next_to_limit && parts.is_too_much &&
-               parts.is_too_much(now, size))
-          size = std::max(size / 2, next_to_limit);
-        if (parts.is_too_much && size <= next_to_limit &&
-            parts.is_too_much(now, next_to_limit))
+        if (is_at_limit(parts, now, size))
           {
             report.reason = "its limit is reached";
             break;
