@@ -3,6 +3,9 @@
 
 // What a scene means for a load path.
 
+#include "conetact/application/method_checks.h"
+#include "conetact/contact/preloads.h"
+
 #include "scene_fixture.h"
 #include "sentence.h"
 
@@ -24,10 +27,17 @@ namespace
   }
 
   std::string
+  sentence_of_stages(const application::Scene &scene)
+  {
+    return test::sentence_of(
+      [&] { application::check_linear_stages(scene, scene.times); });
+  }
+
+  std::string
   stages(const std::string &value, const std::string &times)
   {
     const auto scene = test::make_scene(pushed(value, times));
-    return test::sentence_of([&] { scene->check_stages(); });
+    return sentence_of_stages(*scene);
   }
 } // namespace
 
@@ -50,7 +60,7 @@ TEST(ScenePath, SupportsThatMove)
   const auto scene =
     test::make_scene(test::triangle_on_floor("set Supports = top\n",
                                              test::held_top("0.1*t^2 ; 0")));
-  EXPECT_TRUE(test::starts(test::sentence_of([&] { scene->check_stages(); }),
+  EXPECT_TRUE(test::starts(sentence_of_stages(*scene),
                            "Support 'top', Displacement: it is not linear"));
 }
 
@@ -61,7 +71,7 @@ TEST(ScenePath, APrestressPressesTheNodesOfItsContact)
 {
   const auto            scene = test::make_scene(test::triangle_on_floor(
     "set Supports = top\n", test::held_top(), "|Prestress = 2 + x"));
-  const Eigen::VectorXd f     = scene->prestress();
+  const Eigen::VectorXd f     = contact::prestress_forces(scene->bodies);
   Eigen::VectorXd       expected(6);
   expected << 0, -2, 0, -4, 0, 0;
   EXPECT_LE((f - expected).norm(), 1e-15);

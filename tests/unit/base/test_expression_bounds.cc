@@ -96,10 +96,10 @@ TEST(ExpressionBounds, KnowWhatTheyDependOn)
   using Names = std::set<std::string>;
   EXPECT_EQ(of("0.3 + 0*v").names, Names());
   EXPECT_EQ(of("0.3 + 0*(v - p)^2").names, Names());
-  EXPECT_EQ(of("0.3 + 0*v + p").names, Names({"p"}));
+  EXPECT_EQ(of("0.3 + 0*v + p").names, Names{"p"});
   EXPECT_EQ(of("min(0.3, 0.4 + p)").names, Names());
-  EXPECT_EQ(of("min(0.3, 0.2 + p)").names, Names({"p"}));
-  EXPECT_EQ(of("v - v").names, Names({"v"})); // true, and not seen
+  EXPECT_EQ(of("min(0.3, 0.2 + p)").names, Names{"p"});
+  EXPECT_EQ(of("v - v").names, Names{"v"}); // true, and not seen
   EXPECT_EQ(of("erf(1)").names.size(), presses_and_slips.size());
   EXPECT_FALSE(Expression("0.3 + 0*v", "E", others).uses("v"));
   EXPECT_TRUE(Expression("0.3 + 0*v", "E", others).is_constant());
