@@ -125,7 +125,7 @@ def table(rows):
 
 
 def draw(folder, name):
-    subprocess.run([TOP / "scripts/picture.py", folder, *PICTURES.get(name, []), "--dpi", "80"], check=True)
+    subprocess.run([TOP / "scripts/picture.py", folder, *PICTURES.get(name, []), "--dpi", "97"], check=True)
     shutil.copy(folder / "picture.png", PAGES / name / f"{name}.png")
 
 
