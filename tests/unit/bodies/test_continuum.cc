@@ -107,7 +107,9 @@ TEST(Continuum, ElementsOfSomeNodesAreThoseThatHaveThem)
       EXPECT_EQ(body->add_internal_forces_at(nodes, u, some), own.size());
       for (Eigen::Index dof = 0; dof < u.size(); ++dof)
         if (nodes[static_cast<unsigned int>(dof) / body->n_components()])
-          EXPECT_NEAR(some[dof], f[dof], 1e-13 * f.cwiseAbs().maxCoeff());
+          {
+            EXPECT_NEAR(some[dof], f[dof], 1e-13 * f.cwiseAbs().maxCoeff());
+          }
     }
 }
 

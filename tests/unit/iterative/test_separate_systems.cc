@@ -160,7 +160,7 @@ TEST(DirectSystem, FulfilsEquilibriumAndLaws)
 TEST(DirectSystem, HasNoStepWhereNothingResists)
 {
   const auto         nothing = [](const auto &) {};
-  const DirectSystem none({nothing, nothing}, contact(), n);
+  const DirectSystem none({nothing, nothing, {}}, contact(), n);
   EXPECT_FALSE(none.solve(laws(), none.keep(VectorXd::Ones(n)), {1e-3}));
 }
 
