@@ -74,7 +74,7 @@ namespace conetact::analysis
     constexpr double sliding_of_unknown = 5e-4;
     // Besides what MUMPS asks for, its factor as it grows and bytes a dof: Q1,
     // P1 and P2 on blocks of 8 to 140 thousand dofs.
-    constexpr double part_of_factor = .7, bytes_of_dof = 1500;
+    constexpr double part_of_factor = .35, bytes_of_dof = 1000;
     // Operations for an unknown in an iteration of the iterative backend, with
     // what Newton's steps take besides: 64^3 cells.
     constexpr double iteration_of_unknown = 2500;
