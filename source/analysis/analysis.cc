@@ -118,10 +118,10 @@ namespace conetact::analysis
         const double                     t      = scene.times[k];
         const bodies::NodalLoads::Acting acting = loads.acting(t);
         model.coordinates.prescribed(t);
-        if (model.motions.unseen().cols() > 0)
-          refuse_unbalanced(acting.mechanical + scene.obstacle_forces(t) +
-                              model.elastic.ground_forces(t),
-                            t);
+        // Evaluated at all times, as expressions may not be finite at some.
+        refuse_unbalanced(acting.mechanical + scene.obstacle_forces(t) +
+                            model.elastic.ground_forces(t),
+                          t);
       }
     log.time("loads and supports at all times");
     report_loads(loads, log);

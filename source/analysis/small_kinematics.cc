@@ -177,7 +177,7 @@ namespace conetact::analysis
   void
   SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
   {
-    constexpr double little = .1; // of what friction may do
+    constexpr double little = .2; // of what friction may do
     if (scene.path.follows)
       return;
     const auto closed = [&](const std::size_t i) {
