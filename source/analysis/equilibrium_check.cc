@@ -21,6 +21,19 @@ namespace conetact::analysis
              r.size() >= problem.system->n_contact_unknowns();
     }
 
+    /**
+     * Whether reactions are gone that pressed at the start, minus `start`.
+     * Parts that let go of them may have left a jam, which would hold more:
+     * what such a state holds is no limit.
+     */
+    bool
+    has_let_go(const Eigen::VectorXd &r, const Eigen::VectorXd &start)
+    {
+      constexpr double gone = 1e-6;
+      return !start.isZero(0) && solvers::largest(r.head(start.size())) <=
+                                   gone * solvers::largest(start);
+    }
+
     bool
     could_follow_path(const application::Scene &scene)
     {
@@ -123,12 +136,13 @@ namespace conetact::analysis
                                 const Eigen::VectorXd         &r,
                                 const double                   ahead) const
   {
-    const Eigen::Index n = problem.system->n_contact_unknowns();
-    if (!existence || !has_contact_reactions(problem, r))
-      return {};
+    const Eigen::Index    n     = problem.system->n_contact_unknowns();
     const Eigen::VectorXd start = load_at_start(problem, increment.before);
-    Eigen::VectorXd       load  = run.model.elasticity().contact_load(problem);
-    const Eigen::VectorXd way   = load - start;
+    if (!existence || !has_contact_reactions(problem, r) ||
+        has_let_go(r, start))
+      return {};
+    Eigen::VectorXd       load = run.model.elasticity().contact_load(problem);
+    const Eigen::VectorXd way  = load - start;
     if (ahead > 0 && way.norm() > 0)
       load += ahead * load.norm() / way.norm() * way;
     const solvers::Existence limit = existence->limit_state(
@@ -144,11 +158,13 @@ namespace conetact::analysis
                              const Eigen::VectorXd         &r,
                              const double                   more) const
   {
-    const Eigen::Index n = problem.system->n_contact_unknowns();
+    const Eigen::Index    n     = problem.system->n_contact_unknowns();
+    const Eigen::VectorXd start = load_at_start(problem, increment.before);
     return existence && has_contact_reactions(problem, r) &&
+           !has_let_go(r, start) &&
            existence->is_limit(
              run.model.elasticity().contact_load(problem),
-             load_at_start(problem, increment.before),
+             start,
              r.head(n),
              [&](const Eigen::VectorXd &at) { return holding(increment, at); },
              more);
