@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -171,27 +172,28 @@ namespace conetact::bodies
   SpreadForce::turning(const SurfaceField &field) const
   {
     constexpr double round = .01; // of the area: else faces are nearly plane
-    Tensor<2, 3>     N, across;
+    Tensor<2, 3>     N;
     Tensor<1, 3>     of_points;
     for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        {
-          N[i][j] =
+      {
+        for (unsigned int j = 0; j <= i; ++j)
+          N[i][j] = N[j][i] =
             integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &n) {
               return n[i] * n[j];
             });
-          across[i][j] = (i == j ? area : 0.) - N[i][j];
-          of_points[i] +=
-            integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &n) {
-              return ((i == j ? 1. : 0.) - n[i] * n[j]) * p[j];
-            });
-        }
+        of_points[i] =
+          integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &n) {
+            return p[i] - n[i] * (n * Tensor<1, 3>(p));
+          });
+      }
     const PrincipalAxes axes = principal_axes(N);
     if (!(axes.eigenvalues()[1] > round * area))
       return {};
     Tensor<1, 3> axis;
     for (unsigned int d = 0; d < 3; ++d)
       axis[d] = axes.eigenvectors()(d, 0);
+    const Tensor<2, 3> across =
+      area * Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()) - N;
     const Point<3> c(inverse(across) * of_points);
     return axis *
            integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &n) {

@@ -181,8 +181,8 @@ namespace conetact::solvers
 
     /**
      * Proximal points: r minimises |R^T r + c|^2 / 2 + |r - old|^2 / (2 sigma)
-     * over the cones. It ends where z is zero to 1e-13 of c, which is of length
-     * one, or where r changes no more.
+     * over a set, with `project` on it in units of |c|. It ends where z is zero
+     * to ten times the precision, over c, or where r changes no more.
      */
     Reach
     nearest(const ContactSystem &layout,
@@ -191,10 +191,14 @@ namespace conetact::solvers
             const Projection    &project,
             const double         precision)
     {
-      Reach        result{c, VectorXd::Zero(R.rows())};
-      ProximalStep step(layout, R, c, project);
-      VectorXd    &z = result.z, &r = result.r;
-      double       sigma = 1;
+      const double size = c.norm();
+      if (!(size > 0))
+        return {c, VectorXd::Zero(R.rows())};
+      const VectorXd unit = c / size;
+      Reach          result{unit, VectorXd::Zero(R.rows())};
+      ProximalStep   step(layout, R, unit, project);
+      VectorXd      &z = result.z, &r = result.r;
+      double         sigma = 1;
       for (unsigned int i = 0; i < 60; ++i)
         {
           const VectorXd old = r;
@@ -207,7 +211,7 @@ namespace conetact::solvers
           // large beside r: a thousand at most.
           sigma = std::min(10 * sigma, 1e3 / z.norm());
         }
-      return result;
+      return {size * z, size * r};
     }
   } // namespace
 
@@ -221,21 +225,14 @@ namespace conetact::solvers
   {
     eigen_assert(R.cols() == c.size());
     eigen_assert(mu.size() == layout.n_nodes());
-    const double size = c.norm();
-    if (!(size > 0))
-      return {c, VectorXd::Zero(R.rows())};
-    const Reach unit = nearest(
-      layout,
-      R,
-      c / size,
-      [&](const SmallVector &x,
-          const Index        i,
-          SmallVector       &value,
-          SmallMatrix       &derivative) {
-        project_node(x, mu[i], value, derivative);
-      },
-      1e-14);
-    return {size * unit.z, size * unit.r};
+    // Cones are the same in all units.
+    const auto on_cone = [&](const SmallVector &x,
+                             const Index        i,
+                             SmallVector       &value,
+                             SmallMatrix       &derivative) {
+      project_node(x, mu[i], value, derivative);
+    };
+    return nearest(layout, R, c, on_cone, 1e-14);
   }
 
 
@@ -251,23 +248,17 @@ namespace conetact::solvers
     eigen_assert(holding.friction.size() == layout.n_nodes());
     eigen_assert(holding.pull.size() == layout.n_nodes());
     eigen_assert(holding.push.size() == layout.n_nodes());
-    const double size = c.norm();
-    if (!(size > 0))
-      return {c, VectorXd::Zero(R.rows())};
-    const Holding scaled = {holding.friction / size,
-                            holding.pull / size,
-                            holding.push / size};
-    const Reach   unit   = nearest(
-      layout,
-      R,
-      c / size,
-      [&](const SmallVector &x,
-          const Index        i,
-          SmallVector       &value,
-          SmallMatrix       &derivative) {
-        project_on_cylinder(x, scaled, i, value, derivative);
-      },
-      1e-10); // what reactions allow is not exact
-    return {size * unit.z, size * unit.r};
+    const double  size        = std::max(c.norm(), 1e-300);
+    const Holding scaled      = {holding.friction / size,
+                                 holding.pull / size,
+                                 holding.push / size};
+    const auto    on_cylinder = [&](const SmallVector &x,
+                                 const Index        i,
+                                 SmallVector       &value,
+                                 SmallMatrix       &derivative) {
+      project_on_cylinder(x, scaled, i, value, derivative);
+    };
+    // what reactions allow is not exact
+    return nearest(layout, R, c, on_cylinder, 1e-10);
   }
 } // namespace conetact::solvers
