@@ -34,13 +34,18 @@ FAULTS = r"""(async () => {
 })()"""
 
 
+def pages(root):
+    """All pages to be looked at: without those of Doxygen, and without those that only pass on to another one at once."""
+    for page in sorted(root.rglob("*.html")):
+        if "cpp" not in page.relative_to(root).parts and 'http-equiv="refresh"' not in page.read_text(encoding="utf-8"):
+            yield page
+
+
 def look(root, width):
     """Faults of all pages, and how many formulas they draw."""
     faults, formulas, browser = [], 0, Browser(width, 900)
     try:
-        for page in sorted(root.rglob("*.html")):
-            if "cpp" in page.relative_to(root).parts:
-                continue  # pages of Doxygen
+        for page in pages(root):
             browser.said.clear()
             browser.open(page)
             seen = json.loads(browser.run(FAULTS))

@@ -5,10 +5,10 @@ import base64
 import io
 import json
 import os
+import select
 import shutil
 import subprocess
 import tempfile
-import time
 
 import numpy as np
 
@@ -37,14 +37,16 @@ class Browser:
         os.close(asked)
         os.close(answered)
         self.rest, self.number, self.session, self.said = b"", 0, None, []
+        self.loaded = None  # which page has been loaded last, as the browser numbers them
         self._attach(width, height)
 
     def _attach(self, width, height):
-        targets = self.call("Target.getTargets")["targetInfos"]
-        page = next(target["targetId"] for target in targets if target["type"] == "page")
+        # a page of our own: the first one of the browser may still be on its way to its address
+        page = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=page, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log"):
             self.call(f"{domain}.enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def call(self, method, **parameters):
@@ -62,6 +64,8 @@ class Browser:
 
     def _next(self):
         while b"\0" not in self.rest:
+            if not select.select([self.answer], [], [], SECONDS)[0]:
+                raise RuntimeError(f"The browser has not answered for {SECONDS} s.")
             part = os.read(self.answer, 1 << 20)
             if not part:
                 raise RuntimeError("The browser has ended.")
@@ -72,9 +76,11 @@ class Browser:
         return message
 
     def _listen(self, message):
-        """Keeps errors and warnings of the page."""
+        """Keeps errors and warnings of the page, and which page has been loaded."""
         values = message.get("params", {})
-        if message.get("method") == "Runtime.exceptionThrown":
+        if message.get("method") == "Page.lifecycleEvent" and values["name"] == "load":
+            self.loaded = values["loaderId"]
+        elif message.get("method") == "Runtime.exceptionThrown":
             details = values["exceptionDetails"]
             self.said.append(details.get("exception", {}).get("description", details["text"]))
         elif message.get("method") == "Log.entryAdded" and values["entry"]["level"] in ("error", "warning"):
@@ -83,10 +89,10 @@ class Browser:
             self.said.append(str(values["args"]))
 
     def open(self, file):
-        self.call("Page.navigate", url=file.resolve().as_uri())
-        end = time.monotonic() + SECONDS
-        while self.run("document.readyState") != "complete" and time.monotonic() < end:
-            time.sleep(.05)
+        """Shows a page, and waits until this page, not the one before, has been loaded."""
+        page = self.call("Page.navigate", url=file.resolve().as_uri())["loaderId"]
+        while self.loaded != page:
+            self._next()
         self.settle()
 
     def run(self, text):
