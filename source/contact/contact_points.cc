@@ -301,12 +301,16 @@ namespace conetact::contact
   {
     if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
       return false;
-    if (node.obstacle == nullptr &&
-        bodies.structures[node.body]->meets_at_corners() &&
+    const bool meets_body = node.obstacle == nullptr;
+    const bool by_itself  = node.slides && !node.is_mean;
+    if (meets_body &&
+        (by_itself || bodies.structures[node.body]->meets_at_corners()) &&
         is_cut_with_master(rule, node, supports, bodies, times))
       return false;
-    if (!node.slaves.empty() && node.obstacle == nullptr)
-      return true; // nodes beside it may move along what is held here
+    // Nodes beside one of a mean may move along what is held here; and what a
+    // node meets changes as it slides, its unknowns do not.
+    if (meets_body && (!node.slaves.empty() || node.slides))
+      return true;
     if (node.is_mean && !node.slides &&
         is_held_with_master(rule, node, supports, bodies, times))
       return false;

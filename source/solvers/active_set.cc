@@ -30,6 +30,33 @@ namespace conetact::solvers
                    NodeState::slip,
                    NodeState::stick);
     }
+
+    /**
+     * States of a start that has none: of nodes that meet something those whose
+     * gap is many times the median are open, the others stick. None where gaps
+     * are alike: then all stick anyway.
+     */
+    std::vector<NodeState>
+    near_ones_stick(const ContactProblem &problem)
+    {
+      constexpr double far_away = 10; // of the median gap
+
+      std::vector<double> gaps;
+      for (Eigen::Index i = 0; i < problem.gap.size(); ++i)
+        if (!problem.is_apart(i))
+          gaps.push_back(problem.gap[i]);
+      if (gaps.empty())
+        return {};
+      const auto middle = gaps.begin() + static_cast<long>(gaps.size() / 2);
+      std::nth_element(gaps.begin(), middle, gaps.end());
+      const double limit = far_away * *middle;
+      if (problem.gap.maxCoeff() <= limit)
+        return {};
+      std::vector<NodeState> states;
+      for (const double gap : problem.gap)
+        states.push_back(gap > limit ? NodeState::open : NodeState::stick);
+      return states;
+    }
   } // namespace
 
 
@@ -135,10 +162,34 @@ namespace conetact::solvers
 
 
 
+  void
+  ActiveSet::solve_otherwise(const ContactProblem &problem,
+                             const ContactState   &start,
+                             ContactState         &state,
+                             SolverReport         &report)
+  {
+    const auto try_from = [&](ContactState other, const auto &method) {
+      const SolverReport before = report;
+      report                    = (this->*method)(problem, other);
+      add_work(report, before);
+      if (report.converged)
+        state = other;
+    };
+    ContactState near = start;
+    if (start.node.empty())
+      near.node = near_ones_stick(problem);
+    if (near.node != start.node)
+      try_from(near, &ActiveSet::solve_from_states);
+    if (!report.converged && !problem.has_cones())
+      try_from(start, &ActiveSet::solve_without_fall);
+  }
+
+
+
   /* In order: the state as it is, if the load is that of the start; bodies that
      nothing presses; where the load leads if it goes on as before; the states
-     of the start; slopes that lead on where friction falls. The work of all of
-     them is counted. */
+     of the start, or near nodes stuck if it has none; slopes that lead on where
+     friction falls. The work of all of them is counted. */
   SolverReport
   ActiveSet::solve(const ContactProblem &problem, ContactState &state)
   {
@@ -192,15 +243,8 @@ namespace conetact::solvers
         report.iterations += iterations;
         report.factorizations += factorizations;
       }
-    if (!report.converged && !problem.has_cones())
-      {
-        ContactState       other  = start;
-        const SolverReport before = report;
-        report                    = solve_without_fall(problem, other);
-        add_work(report, before);
-        if (report.converged)
-          state = other;
-      }
+    if (!report.converged)
+      solve_otherwise(problem, start, state, report);
     if (report.converged)
       predictor.remember(start, state, change);
     return report;

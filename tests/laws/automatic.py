@@ -5,7 +5,7 @@ import math
 import re
 import shutil
 
-from support.logs import dry_run, log_of
+from support.logs import dry_run, log_of, work_of
 from support.scenes import LISTS, beam, box, floor, lines, load, merge, simplices, support
 from support.vectors import apply, rotation
 
@@ -251,6 +251,38 @@ def pin_in_lug(laws):
                 min(slaves) - 1e-9 < min(masters) and .8 * max(slaves) < max(masters) < max(slaves))
 
 
+FORK = """SetFactory("OpenCASCADE");
+Box(1) = {-12, -30, 0, 24, 42, 8}; Cylinder(2) = {0, 0, -1, 0, 0, 10, 5.02};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+Box(4) = {-12, -12, 8.2, 24, 42, 8}; Cylinder(5) = {0, 0, 7, 0, 0, 11, 5.02};
+BooleanDifference(6) = { Volume{4}; Delete; }{ Volume{5}; Delete; };
+Cylinder(7) = {0, 0, 0, 0, 0, 16.2, 5};
+Physical Volume("lug") = {3}; Physical Volume("eye") = {6}; Physical Volume("pin") = {7};
+Mesh.MeshSizeMax = 6; Mesh.MeshSizeFromCurvature = 14;
+"""
+
+
+def fork(laws):
+    """A pin in the bores of two plates. Nodes of one bore look across it at the rim of the other one, 500 times as far away as the
+    pin: the start, where near nodes stick, is no worse for them."""
+    (laws.folder / "fork.geo").write_text(FORK)
+
+    def drawn(group, tags, size=8, young=70e3, poisson=.33):
+        return {"Mesh": {"File": "fork.geo", "Group": group, "Size": size, "Boundary ids": tags},
+                "Material": {"Young modulus": young, "Poisson ratio": poisson}}
+    run = laws.run({"Dimension": 3, "Contacts": "automatic", "Automatic contact": {"Friction coefficient": .15, "Largest gap": .25},
+                    "Body lug": drawn("lug", "101: y < -29.99 ; 102: z < 1e-3"), "Body eye": drawn("eye", "103: y > 29.99 ; 104: z > 16.199"),
+                    "Body pin": drawn("pin", "105: z < 1e-3 ; 106: z > 16.199", 6, 210e3, .3), "Support base": support(101, "x, y, z", body="lug"),
+                    "Support low": support(102, "z", body="lug"), "Support eye": support(104, "z", body="eye"),
+                    "Support pin": support(106, "z", body="pin"), "Load pull": load("force", "0 ; 2000 ; 0", 103, body="eye"),
+                    "Output": {"VTU": 0}})
+    end = run.increments[-1]
+    laws.check("fork: the pin bears the force on either side", max(abs(end["pin_lug_f_y"] + 2000), abs(end["pin_eye_f_y"] - 2000)), 1e-6)
+    steps = work_of(run)["linear solves of contact"]
+    laws.demand(f"  {steps} linear solves, at most 100", steps <= 100)
+    laws.demand("  no slower method is tried", "slower ones are tried" not in log_of(run))
+
+
 def going_on(laws):
     """A run that is continued finds the same contacts, and may not change their law."""
     scene = merge(wall(2, .5), {"Time": {"End": 2, "Increments": 2}, "Output": {"Checkpoint": 1}})
@@ -271,4 +303,5 @@ def automatic(laws):
     frames(laws)
     arch(laws)
     pin_in_lug(laws)
+    fork(laws)
     going_on(laws)

@@ -18,6 +18,7 @@ def sliding(laws):
     hill(laws)
     slabs(laws)
     leave_and_return(laws)
+    halves(laws)
     soft_slab(laws)
 
 
@@ -178,6 +179,24 @@ def leave_and_return(laws):
         laws.check(f"leave and return, {pairing}: the way back", max(abs(a - b) for a, b in zip(forces, forces[::-1])) / forces[0],
                    1e-8)
         laws.check(f"leave and return, {pairing}: nothing beyond", abs(forces[8]), 0)
+
+
+def halves(laws):
+    """Half of a block that leaves half of a slab over its end: nodes in the plane of symmetry keep their unknowns on the way."""
+    def scene(pairing, whole):
+        start, n = (-.5, 2) if whole else (0.0, 1)
+        sides = {} if whole else {f"Support side {body}": support(2, "y", body=body) for body in ("block", "slab")}
+        return {"Dimension": 3, "Body block": box((3, 3 * n, 2), (1.0, .5 * n, .5), (0.0, start, 0.0)),
+                "Body slab": box((5, 2 * n, 2), (1.7, .5 * n, .5), (-.4, start, -.5)),
+                "Support top": support(5, "x, y, z", "0.5*max(t - 1, 0) ; 0 ; -0.004*min(t, 1)"), "Support base": support(4, "x, y, z", body="slab"),
+                **sides, "Contact bottom": {"Body": "block", "Boundary ids": 4, "Master body": "slab", "Master boundary ids": 5,
+                                            "Friction coefficient": .3, "Pairing": pairing, **FAR},
+                "Time": {"Times": "1, 1.3, 1.7, 2.1, 2.5"}, "Output": {"VTU": 0}}
+    for pairing in ("node to face", "mortar"):
+        half, whole = (laws.run(scene(pairing, w)).increments for w in (False, True))
+        for axis in "xz":
+            laws.check(f"halves, {pairing}: force along {axis} of the whole",
+                       max(abs(2 * a[f"bottom_f_{axis}"] / b[f"bottom_f_{axis}"] - 1) for a, b in zip(half, whole)), 1e-7)
 
 
 def soft_slab(laws):

@@ -48,6 +48,13 @@ namespace conetact::solvers
     unchanged(const ContactProblem &problem, ContactState &state) const;
     SolverReport
     solve_from_states(const ContactProblem &problem, ContactState &state);
+    /** From other starts, where that of the increment does not lead to a
+     * solution. */
+    void
+    solve_otherwise(const ContactProblem &problem,
+                    const ContactState   &start,
+                    ContactState         &state,
+                    SolverReport         &report);
     /** Of laws whose friction falls so fast that their slopes lead astray. */
     SolverReport
     solve_without_fall(const ContactProblem &problem, ContactState &state);
