@@ -97,21 +97,27 @@ namespace conetact::solvers
       return multiply(system, u) - problem.load;
     }
 
-    /** True if friction is at its limit. It is asked for where layers give way:
-     * what they take of a slip is known to rounding only, and leaves no zero.
-     */
+    /** Of reactions, over the largest one: what a node carries is known to this
+     * only. */
+    constexpr double rounding_of_forces = 1e-14;
+
+    /** True if friction is at its limit, but for what forces are rounded by. It
+     * is asked for where layers give way: what they take of a slip is known to
+     * rounding only, and leaves no zero. */
     bool
     may_slip(const ContactProblem &problem,
              const Index           i,
              const double          r_n,
              const double          r_t,
-             const double          slip)
+             const double          slip,
+             const double          rounding)
     {
       constexpr double at_limit = 1e-11;
       if (!problem.has_layers() || problem.laws->layer(i, r_n, slip).is_none())
         return true;
       const double s = r_n + problem.laws->bond(i, slip, 0).value;
-      return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;
+      return r_t + rounding >=
+             (1 - at_limit) * friction_limit(problem, i, s, slip).value;
     }
 
     /** The norm of the load over all unknowns of a large system. */
@@ -392,6 +398,7 @@ namespace conetact::solvers
       seen_by_law(problem, state.v.head(n), state.r.head(n));
     const double limit =
       tolerance * std::max(largest(seen), largest(problem.gap));
+    const double rounding = rounding_of_forces * largest(state.r.head(n));
     // A node with a bond b is open where its gap times the stiffness is more
     // than the force that presses it, r_n + b <= rho g: neither is zero to the
     // last digit.
@@ -421,7 +428,8 @@ namespace conetact::solvers
             .cwiseQuotient(aspect_of(problem, i, r_n, at).scale(nt + 1))
             .head(nt)
             .norm();
-        const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
+        const bool slips =
+          slip > limit && may_slip(problem, i, r_n, r_t, slip, rounding);
         const bool opens =
           problem.is_bonded(i) ? bond_opens(i, slip) : r_n <= 0;
         result[static_cast<std::size_t>(i)] = opens ? NodeState::open :

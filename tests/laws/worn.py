@@ -108,6 +108,30 @@ def half_planes(laws):
         compare(laws, f"fretting, {what}", run, planes, bounds)
 
 
+def worn_off(laws):
+    """Until what slips carries nothing: a punch of the profile that sticks is left (I. G. Goryacheva, P. T. Rajeev, T. N. Farris,
+    J. Tribol. 123, 2001, 848). On cells half as large forces of nodes that wear are rounding of others in the end."""
+    finer = {"lower": "-1.45, -0.15 : 1.45, 0", "upper": "-1.45, 0 : 1.45, 0.15"}
+    boxes = {"lower": "-2.5, -1.5 : 2.5, 0 : 1 ; -1.9, -0.7 : 1.9, 0 : 2 ; -1.5, -0.3 : 1.5, 0 : 3",
+             "upper": "-2.5, 0 : 2.5, 1.5 : 1 ; -1.9, 0 : 1.9, 0.7 : 2 ; -1.5, 0 : 1.5, 0.3 : 3"}
+    refined = [word for body, box in finer.items()
+               for word in ("-s", f"Body {body}/Mesh/Refinement boxes={boxes[body]} ; {box} : 4")]
+    run = laws.run(SHIPPED / "fretting-wear.prm", "-s", "Output/VTU=0", *refined)
+    laws.demand("worn off: no increment is cut", len(run.increments) == 201 and all(row["substeps"] == 1 for row in run.increments))
+    rows = sorted((row for row in run.last() if row["contact"] == "joint"), key=lambda row: row["x"])
+    stick = max(row["x"] for row in rows if row["state"] == "stick")
+    c, force, modulus, radius = stick + (rows[1]["x"] - rows[0]["x"]) / 2, run.increments[-1]["joint_f_y"], 1000 / (2 * (1 - .3**2)), 100
+    convex = math.pi * modulus * c**2 / (4 * radius)
+
+    def published(x):
+        root = math.sqrt(c**2 - x**2)
+        return 2 * convex / (math.pi * c**2) * root + (force - convex) / (math.pi * root)
+    inner = [row for row in rows if abs(row["x"]) < .8 * c]
+    laws.check("worn off: pressures of what sticks", max(abs(row["pressure"] / published(row["x"]) - 1) for row in inner), .04)
+    laws.check("  those of what slips, over the largest",
+               max(row["pressure"] for row in rows if row["state"] == "slip") / max(row["pressure"] for row in rows), 1e-9)
+
+
 def compare(laws, what, run, planes, bounds):
     volume, last = planes.worn.sum() * planes.width, run.increments[-1]
     rows = {round(row["x"], 6): row for row in run.last() if row["contact"] == "joint"}
