@@ -66,8 +66,8 @@ namespace conetact::analysis
                  const contact::ContactPoints &points)
     {
       const contact::ContactHistory &after = increment.after;
-      contact::KeptByLaws            kept{after.worn(),
-                               after.fracture(),
+      contact::KeptByLaws            kept{after.memory().worn,
+                               after.memory().broken,
                                {},
                                increment.wet};
       const auto                    &laws = increment.load.laws;
@@ -76,9 +76,10 @@ namespace conetact::analysis
       kept.whole.resize(points.size());
       for (std::size_t i = 0; i < points.size(); ++i)
         {
-          const auto k = static_cast<Eigen::Index>(i);
-          kept.whole[i] =
-            laws->is_whole(i, after.openings()[k], after.slips()[k]);
+          const auto k  = static_cast<Eigen::Index>(i);
+          kept.whole[i] = laws->is_whole(i,
+                                         after.memory().opened[k],
+                                         after.memory().slipped[k]);
         }
       return kept;
     }
@@ -149,7 +150,7 @@ namespace conetact::analysis
         claim.mechanical = contact::shared(*claim.mechanical + locks);
       }
     claim.laws  = increment.load.laws;
-    claim.worn  = increment.before.worn();
+    claim.worn  = increment.before.memory().worn;
     claim.t     = increment.record.time;
     claim.whole = increment.record.report.substeps <= 1;
     // The holonomic law, of all slip since the start, exists on load paths
@@ -374,7 +375,8 @@ namespace conetact::analysis
           {
             const auto k = static_cast<Eigen::Index>(i);
             told.v[model.points[i].normal()] +=
-              increment.after.worn()[k] - increment.before.worn()[k];
+              increment.after.memory().worn[k] -
+              increment.before.memory().worn[k];
           }
     told.r      = finding.r.head(told.r.size());
     record.rows = contact_rows.rows(told,
@@ -389,12 +391,13 @@ namespace conetact::analysis
                               std::max(increment.after.largest_force(),
                                        solvers::largest(increment.state.r)),
                               increment.load.laws.get()) &&
-      warnings.are_forces_determinate(states_by_motion(model.points,
-                                                       increment.state,
-                                                       increment.before.worn(),
-                                                       finding,
-                                                       record.time),
-                                      increment.state.r);
+      warnings.are_forces_determinate(
+        states_by_motion(model.points,
+                         increment.state,
+                         increment.before.memory().worn,
+                         finding,
+                         record.time),
+        increment.state.r);
     warnings.check_size(amounts(increment), w);
     records.observe(record, *finding.u);
     if (drawn)

@@ -313,10 +313,13 @@ namespace conetact::analysis
                            const Closed      &closed,
                            const double       facet) const
   {
-    const bool   is_given = contacts.contact(c).gap.has_value();
+    const bool   is_given    = contacts.contact(c).gap.has_value();
+    const bool   is_adjusted = std::count(scene.adjusted_contacts.begin(),
+                                        scene.adjusted_contacts.end(),
+                                        c) > 0;
     const double widest =
       *std::max_element(closed.gaps.begin(), closed.gaps.end());
-    if (!is_given && pairing::is_adjusted(c, scene.bodies.contact_nodes))
+    if (!is_given && is_adjusted)
       return facet > large_facet * widest && widest > 0 ?
                "Gap = adjust closes what facets leave where sides are drawn to "
                "touch, but gaps of up to " +

@@ -57,11 +57,11 @@ namespace conetact::analysis
     history = after_half(before, increment);
     if (history)
       {
-        before.wear_by(history->worn() - before.worn());
+        before.wear_by(history->memory().worn - before.memory().worn);
         history = after_half(std::move(before), increment);
       }
     if (history)
-      error.set(increment.after.worn(), history->worn());
+      error.set(increment.after.memory().worn, history->memory().worn);
     else
       error.miss();
   }

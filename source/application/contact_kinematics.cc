@@ -193,6 +193,13 @@ namespace conetact::application
                              /*only_sliding=*/false,
                              found.nodes);
         scene.bodies.contact_nodes = std::move(found.nodes);
+        for (unsigned int c = 0; c < scene.contacts.size(); ++c)
+          {
+            const double lift = pairing::lift_convex_faces(
+              scene.contacts[c], c, structures, scene.bodies.contact_nodes);
+            found.pairings[c].least_gap += lift;
+            found.pairings[c].largest_gap += lift;
+          }
         for (const unsigned int c : adjusted)
           pairing::adjust_gaps(scene.contacts[c],
                                c,

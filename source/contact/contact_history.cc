@@ -16,6 +16,15 @@ namespace conetact::contact
 {
   namespace
   {
+    /** As checkpoints name them. */
+    constexpr std::pair<const char *, Eigen::VectorXd LawMemory::*>
+      numbers_of_memory[] = {{"contact/slipped", &LawMemory::slipped},
+                             {"contact/worn", &LawMemory::worn},
+                             {"contact/packed", &LawMemory::packed},
+                             {"contact/opened", &LawMemory::opened},
+                             {"contact/parted", &LawMemory::parted},
+                             {"contact/broken", &LawMemory::broken}};
+
     std::vector<Tensor<1, 3>>
     directions_of(const ContactPoints &points)
     {
@@ -49,21 +58,17 @@ namespace conetact::contact
     , initial_gap(m.points.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
-    , slipped(Eigen::VectorXd::Zero(initial_gap.size()))
-    , depth(slipped)
-    , packed(slipped)
-    , opened(slipped)
-    , parted(slipped)
-    , broken(slipped)
   {
     forget_motions();
+    for (const auto &[name, number] : numbers_of_memory)
+      laws_know.*number = Eigen::VectorXd::Zero(initial_gap.size());
     constexpr double closed = 1e-6; // of an edge
     Eigen::Index     i      = 0;
     for (const ContactPoint &point : model->points)
       {
         initial_gap[i] = point.node->gap;
         if (point.node->gap > closed * point.node->spacing)
-          opened[i] = pairing::never_closed;
+          laws_know.opened[i] = pairing::never_closed;
         ++i;
       }
   }
@@ -76,7 +81,7 @@ namespace conetact::contact
     const solvers::ContactSystem &layout = model->points.layout();
     Eigen::VectorXd               s      = -q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      s[layout.normal(i)] = initial_gap[i] + depth[i];
+      s[layout.normal(i)] = initial_gap[i] + laws_know.worn[i];
     return s;
   }
 
@@ -114,7 +119,7 @@ namespace conetact::contact
   ContactHistory::gaps() const
   {
     const solvers::ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd               gap    = initial_gap + depth;
+    Eigen::VectorXd               gap    = initial_gap + laws_know.worn;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
@@ -153,12 +158,8 @@ namespace conetact::contact
     archive.put("contact/a", elastic.motions);
     archive.put("contact/base", elastic.base);
     archive.put("contact/largest", largest);
-    archive.put("contact/slipped", slipped);
-    archive.put("contact/worn", depth);
-    archive.put("contact/packed", packed);
-    archive.put("contact/opened", opened);
-    archive.put("contact/parted", parted);
-    archive.put("contact/broken", broken);
+    for (const auto &[name, number] : numbers_of_memory)
+      archive.put(name, laws_know.*number);
     archive.put("contact/time", time);
     archive.put("contact/gap", initial_gap);
     archive.put("contact/directions", directions_of(model->points));
@@ -184,12 +185,8 @@ namespace conetact::contact
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
     archive.fill("contact/largest", largest);
-    archive.fill("contact/slipped", slipped);
-    archive.fill("contact/worn", depth);
-    archive.fill("contact/packed", packed);
-    archive.fill("contact/opened", opened);
-    archive.fill("contact/parted", parted);
-    archive.fill("contact/broken", broken);
+    for (const auto &[name, number] : numbers_of_memory)
+      archive.fill(name, laws_know.*number);
     archive.fill("contact/time", time);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -271,9 +268,9 @@ namespace conetact::contact
         const pairing::ContactNode &node = *points[i].node;
         known[i].position                = node.position;
         known[i].t                       = t;
-        known[i].slipped = slipped[static_cast<Eigen::Index>(i)];
-        known[i].opened  = opened[static_cast<Eigen::Index>(i)];
-        known[i].packed  = packed[static_cast<Eigen::Index>(i)];
+        known[i].slipped = laws_know.slipped[static_cast<Eigen::Index>(i)];
+        known[i].opened  = laws_know.opened[static_cast<Eigen::Index>(i)];
+        known[i].packed  = laws_know.packed[static_cast<Eigen::Index>(i)];
         known[i].gap     = gap[static_cast<Eigen::Index>(i)];
         if ((node.friction && node.friction->uses_temperature()) ||
             (node.layer && node.layer->uses_temperature()) ||
@@ -297,25 +294,26 @@ namespace conetact::contact
     q += end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
-      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i] - depth[i];
+      q[layout.normal(i)] =
+        end.v[layout.normal(i)] - initial_gap[i] - laws_know.worn[i];
     r = end.r.head(n);
     model->elasticity().end(end, elastic);
     states = end.node;
     time   = t;
     if (laws != nullptr)
       {
-        slipped += laws->slips(end);
-        depth += laws->wear(end);
-        packed = packed.cwiseMax(laws->pressures(end));
+        laws_know.slipped += laws->slips(end);
+        laws_know.worn += laws->wear(end);
+        laws_know.packed = laws_know.packed.cwiseMax(laws->pressures(end));
       }
     if (laws != nullptr && laws->has_bonds())
       {
-        broken += laws->fracture(parted, end);
-        parted = laws->openings(end);
-        opened = opened.cwiseMax(parted);
+        laws_know.broken += laws->fracture(laws_know.parted, end);
+        laws_know.parted = laws->openings(end);
+        laws_know.opened = laws_know.opened.cwiseMax(laws_know.parted);
       }
     else
-      parted.setZero();
+      laws_know.parted.setZero();
     if (n > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }

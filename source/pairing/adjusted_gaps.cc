@@ -28,6 +28,28 @@ namespace conetact::pairing
     }
   } // namespace
 
+  double
+  lift_convex_faces(const Contact                                &contact,
+                    const unsigned int                            number,
+                    const std::vector<const bodies::Structure *> &structures,
+                    std::vector<ContactNode>                     &nodes)
+  {
+    if (contact.kind != ContactKind::contact || contact.gap)
+      return 0;
+    const ContactFacets facets(contact, structures);
+    double              lift = 0;
+    for (const ContactNode &node : nodes)
+      if (node.contact == number && node.least_gap)
+        // Facets of what it meets leave differences of their own.
+        if (const double below = *node.least_gap - node.gap;
+            below > facet_margin * facets.around(node))
+          lift = std::max(lift, below);
+    for (ContactNode &node : nodes)
+      if (node.contact == number && lift > 0)
+        node.growth = [lift](const double) { return lift; };
+    return lift;
+  }
+
   void
   adjust_gaps(const Contact                                &contact,
               const unsigned int                            number,
@@ -41,27 +63,19 @@ namespace conetact::pairing
     const bool touches =
       std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &node) {
         return node.contact == number && !node.meets_nothing() &&
-               std::abs(node.gap) <= margin(node);
+               std::abs(gap_at_start(node)) <= margin(node);
       });
     for (ContactNode &node : nodes)
       if (node.contact == number)
         {
-          const double change =
-            touches && !node.meets_nothing() ?
-              without_facets(node.gap, margin(node)) - node.gap :
-              0;
-          node.growth = [change](const double) { return change; };
+          const double start = gap_at_start(node);
+          const double taken = touches && !node.meets_nothing() ?
+                                 without_facets(start, margin(node)) :
+                                 start;
+          node.growth        = [change = taken - node.gap](const double) {
+            return change;
+          };
         }
-  }
-
-  bool
-  is_adjusted(const unsigned int contact, const std::vector<ContactNode> &nodes)
-  {
-    return std::any_of(nodes.begin(),
-                       nodes.end(),
-                       [contact](const ContactNode &node) {
-                         return node.contact == contact && node.growth;
-                       });
   }
 
   double

@@ -132,7 +132,7 @@ namespace conetact::pairing
     const auto own = closest(node.node);
     if (!own)
       return {};
-    Met met{0, own->normal, {}};
+    Met met{0, own->gap, own->normal, {}};
     for (const auto &[slave, weight] : row.weights)
       {
         const auto there = closest(slave);
@@ -141,6 +141,7 @@ namespace conetact::pairing
         // Vectors g_k n_k from the obstacle to the slaves have the mean sum_k
         // w_k g_k n_k / W; its part along n is that of the gaps g_k part_k / W.
         met.gap += row.slaves.at(slave) / row.whole * there->gap;
+        met.least = std::min(met.least, there->gap);
         met.foot += weight / row.whole *
                     (Tensor<1, 3>(body.position(slave)) + moved_by(slave) -
                      there->gap * there->normal);
@@ -156,6 +157,7 @@ namespace conetact::pairing
                       return Tensor<1, 3>();
                     }).value();
     node.gap       = met.gap;
+    node.least_gap = met.least;
     node.n         = met.normal;
     const Row &row = rows.at(node.node);
     // A uniform pressure p has the reaction r = p A W, with the area A.

@@ -431,6 +431,8 @@ namespace conetact::pairing
         node.gap = gap(node);
         if (contact.kind == ContactKind::contact && !contact.gap)
           node.gap = std::max(node.gap, row.lowest - beyond_seen * row.size);
+        if (structures[contact.body]->meets_at_corners())
+          node.least_gap = row.lowest;
         if (!contact.gap)
           one_by_one.judge(node, std::max(node.spacing, row.size));
         return node;

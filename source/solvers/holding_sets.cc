@@ -17,7 +17,7 @@ namespace conetact::solvers
                  relation.system().n_nodes());
     for (std::size_t i = 0; i < sets.size(); ++i)
       if (sets[i].state == NodeState::slip &&
-          !relation.is_frictionless(static_cast<Index>(i)))
+          !is_frictionless(relation, static_cast<Index>(i)))
         sets[i].state = NodeState::stick;
     return sets;
   }

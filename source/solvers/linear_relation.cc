@@ -102,6 +102,22 @@ namespace conetact::solvers
       for (; k < columns.size(); ++k)
         y += x(columns[k]) * A.col(columns[k]);
     }
+
+    /* The own compliance of a node is 1 in scaled variables, and 1 + C with a
+       layer: step v is to r there what v is to r without one. Slopes are those
+       without load, so that a step is the same in all of an increment. The
+       scale of loads, which is not known yet here, does not enter. */
+    VectorXd
+    steps_of(const LinearRelation &relation)
+    {
+      VectorXd steps(relation.system().n_nodes());
+      for (Index i = 0; i < steps.size(); ++i)
+        {
+          const Layer unloaded = relation.layer(i, 0, 0);
+          steps(i) = 1 / (1 + std::max(unloaded.shear, unloaded.by_force));
+        }
+      return steps;
+    }
   } // namespace
 
 
@@ -141,7 +157,8 @@ namespace conetact::solvers
                  problem.offset.size() == scale.size());
     eigen_assert(problem.reference_force >= 0);
     laws = problem.laws;
-    set_steps();
+    if (has_layers())
+      steps = steps_of(*this);
     // Both M = S A S and l = +-S load with S = diag(scale): u = S p, r = S^-1 d
     // in stiffness form (d = S (K S p - f)), r = S p, v = S^-1 d in the other.
     const Index n = contact_system->n_contact_unknowns();
@@ -278,25 +295,6 @@ namespace conetact::solvers
 
 
 
-  /* The own compliance of a node is 1 in scaled variables, and 1 + C with a
-     layer: step v is to r there what v is to r without one. Slopes are those
-     without load, so that a step is the same in all of an increment. The scale
-     of loads, which is not known yet here, does not enter. */
-  void
-  LinearRelation::set_steps()
-  {
-    if (!has_layers())
-      return;
-    steps.resize(contact_system->n_nodes());
-    for (Index i = 0; i < steps.size(); ++i)
-      {
-        const Layer unloaded = layer(i, 0, 0);
-        steps(i) = 1 / (1 + std::max(unloaded.shear, unloaded.by_force));
-      }
-  }
-
-
-
   Layer
   LinearRelation::layer(const Index  i,
                         const double r_n,
@@ -417,5 +415,14 @@ namespace conetact::solvers
       }
     state.r = alpha * p.cwiseProduct(scale);
     state.v = alpha * d.cwiseQuotient(scale);
+  }
+
+
+
+  bool
+  is_frictionless(const LinearRelation &relation, const Index i)
+  {
+    const FrictionLimit least = relation.limit(i, 0, 0, 0);
+    return least.by_force <= 0 && least.value <= 0;
   }
 } // namespace conetact::solvers

@@ -131,6 +131,14 @@ namespace conetact::solvers
       return set;
     }
 
+    /** Whether neither reactions nor motions move this unknown at all. */
+    bool
+    is_fixed(const LinearRelation &relation, const Index k)
+    {
+      const Eigen::MatrixXd &W = relation.system().matrix;
+      return !relation.stiffness() && W(k, k) == 0 && W.row(k).isZero(0);
+    }
+
     /**
      * What can neither deform nor move sticks with any reaction: it keeps the
      * one it has.
@@ -141,7 +149,7 @@ namespace conetact::solvers
                             NodeLaw              &law)
     {
       for (Index k = 0; k + 1 < law.h.size(); ++k)
-        if (relation.is_fixed(first + k))
+        if (is_fixed(relation, first + k))
           {
             law.p.row(k).setZero();
             law.d.row(k).setZero();
@@ -192,7 +200,7 @@ namespace conetact::solvers
         if (set.state == NodeState::open || nt == 0 || relation.is_joined(i))
           continue;
         // Without friction what is closed slips; stuck it would take shear.
-        if (relation.is_frictionless(i))
+        if (is_frictionless(relation, i))
           set.state = NodeState::slip;
         else if (set.state == NodeState::slip)
           {
@@ -446,7 +454,7 @@ namespace conetact::solvers
           stop(first + nt, 1);
         if (node == NodeState::stick)
           stop(first, nt);
-        if (node == NodeState::slip && relation.is_frictionless(i))
+        if (node == NodeState::slip && is_frictionless(relation, i))
           r.segment(first, nt).setZero();
       }
   }

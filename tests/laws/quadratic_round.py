@@ -59,6 +59,35 @@ def rings(laws):
         laws.check("  pressures", max(abs(p / exact - 1) for p in pressures(run)), 3e-3)
 
 
+def vees(laws):
+    """A disc that lies in a vee of 90 degrees and is pressed into it. It starts where it is drawn to touch, so both flanks' friction holds
+    it: N (1 + mu) sqrt(2) = W, however little it is pressed."""
+    mu = .2
+    for element, facing in itertools.product(("Q2", "P2"), ("obstacles", "bodies")):
+        for around, weight in ((16, 1.0), (16, 1e-3), (32, 1e-2)):
+            disc = {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : 0.4 : 1 : {around // 2 if element == 'P2' else around} : true",
+                             "Boundary ids": "11: x < 0 && x^2 + y^2 > 0.9 ; 12: x > 0 && x^2 + y^2 > 0.9"},
+                    "Element": element, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}}
+            scene = {"Dimension": 2, "Body disc": disc, "Load weight": load("force", f"0 ; -{weight!r}*t", 0, "disc"), "Output": {"VTU": 0}}
+            for side, ids, sign in (("left", 11, 1), ("right", 12, -1)):
+                met = {"Body": "disc", "Boundary ids": ids, "Friction coefficient": mu}
+                if facing == "obstacles":
+                    scene[f"Obstacle {side}"] = {"Shape": "half space", "Normal": (sign, 1.0), "Point": (0.0, -math.sqrt(2))}
+                    scene[f"Contact {side}"] = {**met, "Obstacle": side}
+                else:
+                    scene[f"Body {side}"] = {"Mesh": {"Generator": "subdivided_hyper_rectangle", "Rotation": -45.0 * sign, "Arguments": "4, 1 : -1, -0.5 : 1, 0 : true",
+                                                      "Translation": (-sign / math.sqrt(2), -1 / math.sqrt(2))},
+                                             "Material": {"Young modulus": 1e6, "Poisson ratio": .3}}
+                    scene[f"Support {side}"] = support(2, "x, y", body=side)
+                    scene[f"Contact {side}"] = {**met, "Master body": side, "Master boundary ids": 3}
+            end = laws.run(scene).increments[-1]
+            normal = weight / (1 + mu) / math.sqrt(2)
+            for side, sign in (("left", 1), ("right", -1)):
+                force = (end[f"{side}_f_x"], end[f"{side}_f_y"])
+                exact = (sign * normal * (1 - mu) / math.sqrt(2), weight / 2)
+                laws.check(f"{element} in a vee of {facing}, {around} round, {weight:g}: {side}", math.dist(force, exact) / weight, 1e-6)
+
+
 def pin_in_bore(element, around, bore, **entries):
     """Half a pin is pressed into half a bore that is a little wider."""
     clearance = .002

@@ -78,6 +78,7 @@ namespace conetact::application
     std::vector<unsigned int>     master_side;
     std::vector<unsigned int>     side_bodies; ///< the body of each of them
     std::vector<pairing::Pairing> pairings;    ///< of each contact
+    std::vector<unsigned int>     adjusted_contacts; ///< Gap = adjust
     /** Of each contact, nodes that belong to contacts before it. */
     std::vector<unsigned int>               n_shared;
     std::vector<pairing::ContactKinematics> kinematics; ///< the same
@@ -122,7 +123,6 @@ namespace conetact::application
     find_contact_nodes();
 
     std::vector<std::unique_ptr<bodies::Structure>> structures;
-    std::vector<unsigned int> adjusted_contacts; ///< Gap = adjust
   };
 } // namespace conetact::application
 

@@ -14,6 +14,19 @@
 
 namespace conetact::contact
 {
+  /** What laws of contacts remember of each node. */
+  struct LawMemory
+  {
+    Eigen::VectorXd slipped; ///< way so far [length]
+    Eigen::VectorXd worn;    ///< depth so far, which opens its gap [length]
+    Eigen::VectorXd packed;  ///< largest pressure so far [stress]
+    /** Largest opening of a bonded node so far, never_closed of what was open
+     * at the start [length]. */
+    Eigen::VectorXd opened;
+    Eigen::VectorXd parted; ///< its opening now [length]
+    Eigen::VectorXd broken; ///< work against its bond so far [force x length]
+  };
+
   /**
    * One increment in the terms of [K] (17): unknowns are slips of the
    * increment and new gaps. A value: a copy of it is where to go back to.
@@ -132,35 +145,16 @@ namespace conetact::contact
     }
     Eigen::VectorXd
     gaps() const;
-    /** Depth of wear of each node so far [length]. */
-    const Eigen::VectorXd &
-    worn() const
+    const LawMemory &
+    memory() const
     {
-      return depth;
+      return laws_know;
     }
     /** Its nodes have lost so much more, which opens their gaps. */
     void
     wear_by(const Eigen::VectorXd &depths)
     {
-      depth += depths;
-    }
-    /** Work against bonds of each node so far [force x length]. */
-    const Eigen::VectorXd &
-    fracture() const
-    {
-      return broken;
-    }
-    /** Largest openings of bonded nodes so far, never_closed of what was open
-     * at the start, and ways of slip [length]. */
-    const Eigen::VectorXd &
-    openings() const
-    {
-      return opened;
-    }
-    const Eigen::VectorXd &
-    slips() const
-    {
-      return slipped;
+      laws_know.worn += depths;
     }
     /** Largest reaction or load so far [force]. */
     double
@@ -187,14 +181,9 @@ namespace conetact::contact
     Eigen::VectorXd                 q, r;
     ElasticState                    elastic;
     std::vector<solvers::NodeState> states;
-    double          largest = 0; ///< reaction or load so far [force]
-    Eigen::VectorXd slipped;     ///< way of each node so far [length]
-    Eigen::VectorXd depth;       ///< of wear, which opens its gap [length]
-    Eigen::VectorXd packed;      ///< largest pressure so far [stress]
-    Eigen::VectorXd opened;      ///< of bonds, the most so far [length]
-    Eigen::VectorXd parted;      ///< and now [length]
-    Eigen::VectorXd broken;      ///< their work so far [force x length]
-    double          time = 0;    ///< at the end of the last increment
+    double    largest = 0; ///< reaction or load so far [force]
+    LawMemory laws_know;
+    double    time = 0; ///< at the end of the last increment
   };
 } // namespace conetact::contact
 

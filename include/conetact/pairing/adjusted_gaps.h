@@ -12,6 +12,21 @@ namespace conetact::pairing
   constexpr double facet_margin = 1.5;
 
   /**
+   * Takes nodes of a contact apart by what means over convex faces of second
+   * degree are below all gaps there: functions at corners are dual to linear
+   * ones, and see a gap x^2/(2 R) from a node on as -h^2/(12 R), h the size of
+   * a face. Without it a round body that is drawn to touch starts inside. Of
+   * all nodes it is the same, so pressures do not change: the body comes nearer
+   * by so much. It stays wherever nodes slide (ContactNode::growth). Returns how
+   * much it is [length].
+   */
+  double
+  lift_convex_faces(const Contact                                &contact,
+                    const unsigned int                            number,
+                    const std::vector<const bodies::Structure *> &structures,
+                    std::vector<ContactNode>                     &nodes);
+
+  /**
    * Takes nodes of a contact as touching where they are drawn to touch: their
    * gap, positive or negative, is within what the facets of both sides stand
    * off the curved surfaces. What is taken off a gap stays taken off wherever
@@ -22,11 +37,6 @@ namespace conetact::pairing
               const unsigned int                            number,
               const std::vector<const bodies::Structure *> &structures,
               std::vector<ContactNode>                     &nodes);
-
-  /** Whether the gaps of a contact were adjusted. */
-  bool
-  is_adjusted(const unsigned int              contact,
-              const std::vector<ContactNode> &nodes);
 
   /** The gap of a node at t = 0, as drawn, adjusted or written down. */
   double

@@ -125,10 +125,12 @@ namespace conetact::pairing
     /** Of its body there, one for each smooth patch; empty: it has no side. */
     std::vector<Tensor<1, 3>> outward;
     double                    area = 0; ///< tributary [length^2]
-    double          spacing        = 0; ///< longest edge of its faces [length]
-    double          gap = 0; ///< undeformed, negative: interference [length]
-    const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
-    ContactKind     kind     = ContactKind::contact;
+    double spacing                 = 0; ///< longest edge of its faces [length]
+    double gap = 0; ///< undeformed, negative: interference [length]
+    /** Of a mean over faces of second degree: the least gap on them. */
+    std::optional<double> least_gap;
+    const Obstacle       *obstacle = nullptr; ///< none: a pair of bodies
+    ContactKind           kind     = ContactKind::contact;
     /** Of those that are bound: whether the gap is closed, or kept. */
     bool closes = false;
     /** Change of a Gap since t = 0; none: it stays [length]. */

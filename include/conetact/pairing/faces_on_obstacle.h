@@ -49,6 +49,7 @@ namespace conetact::pairing
     struct Met
     {
       double       gap;
+      double       least;  ///< gap of the nodes that it is a mean over
       Tensor<1, 3> normal; ///< at the corner: on planes of symmetry in them
       Point<3>     foot;   ///< on the obstacle
     };

@@ -53,14 +53,6 @@ namespace conetact::solvers
       return contact_system->form == Form::stiffness;
     }
 
-    /** Whether neither reactions nor motions move this unknown at all. */
-    bool
-    is_fixed(const Eigen::Index k) const
-    {
-      const Eigen::MatrixXd &W = contact_system->matrix;
-      return !stiffness() && W(k, k) == 0 && W.row(k).isZero(0);
-    }
-
     /** What displacements and reactions of node i are divided by. */
     double
     unit_of_length(const Index i) const
@@ -88,13 +80,6 @@ namespace conetact::solvers
            const double r_n,
            const double slip,
            const double gap) const;
-    /** Whether node i has no friction, however it is pressed. */
-    bool
-    is_frictionless(const Index i) const
-    {
-      const FrictionLimit least = limit(i, 0, 0, 0);
-      return least.by_force <= 0 && least.value <= 0;
-    }
     /** Of node i, as limit(). */
     Bond
     bond(const Index i, const double slip, const double gap) const;
@@ -177,9 +162,6 @@ namespace conetact::solvers
     from_scaled(const Array &p, const Array &d, ContactState &state) const;
 
   private:
-    void
-    set_steps();
-
     std::shared_ptr<const ContactSystem> contact_system;
     bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
@@ -189,6 +171,10 @@ namespace conetact::solvers
     bool   has_offset = false;
     double load_force = 0; ///< that is known before anything is solved
   };
+
+  /** Whether node i has no friction, however it is pressed. */
+  bool
+  is_frictionless(const LinearRelation &relation, const Eigen::Index i);
 } // namespace conetact::solvers
 
 #endif
