@@ -6,6 +6,8 @@
 
 #include "conetact/solvers/contact_problem.h"
 
+#include <algorithm>
+
 namespace conetact::solvers
 {
   /**
@@ -88,12 +90,15 @@ namespace conetact::solvers
            const double r_n,
            const double slip,
            const double gap) const;
-    /** Whether node i has no friction, however it is pressed. */
+    /** Whether node i has no friction, neither where nothing presses it nor
+     * where all of the load does: what is pulled by a bond may have none, and
+     * coefficients may rise from 0 with pressure. */
     bool
     is_frictionless(const Index i) const
     {
       const FrictionLimit least = limit(i, 0, 0, 0);
-      return least.by_force <= 0 && least.value <= 0;
+      return least.by_force <= 0 && least.value <= 0 &&
+             !(limit(i, 1 + std::max(bond(i, 0, 0).value, 0.), 0, 0).value > 0);
     }
     /** Of node i, as limit(). */
     Bond
