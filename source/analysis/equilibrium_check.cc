@@ -5,6 +5,7 @@
 
 #include "conetact/application/method_checks.h"
 #include "conetact/contact/refusal.h"
+#include "conetact/solvers/doubtful_end.h"
 
 #include <algorithm>
 
@@ -21,17 +22,28 @@ namespace conetact::analysis
              r.size() >= problem.system->n_contact_unknowns();
     }
 
-    /**
-     * Whether reactions are gone that pressed at the start, minus `start`.
-     * Parts that let go of them may have left a jam, which would hold more:
-     * what such a state holds is no limit.
-     */
+    /** What has let go of all that pressed holds no more: that is no limit. */
+    constexpr double gone = 1e-6;
+
+    /** Whether supports may have been released, or added, at its start. */
     bool
-    has_let_go(const Eigen::VectorXd &r, const Eigen::VectorXd &start)
+    begins_stage(const PendingIncrement &increment, const RunContext &run)
     {
-      constexpr double gone = 1e-6;
-      return !start.isZero(0) && solvers::largest(r.head(start.size())) <=
-                                   gone * solvers::largest(start);
+      return run.scene.restart &&
+             increment.record.increment == run.scene.n_done() + 1;
+    }
+
+    /** The loads at its start: what supports held that are released is none. */
+    Eigen::VectorXd
+    loads_at_start(const PendingIncrement &increment, RunContext &run)
+    {
+      PendingIncrement start{increment.before, increment.before};
+      start.record.time = run.acceptance.accepted_time();
+      run.apply_loads(start);
+      if (const auto &laws = increment.load.laws)
+        run.model.points.set_friction(laws->coefficients(run.history.start()));
+      return run.model.elasticity().contact_load(
+        start.before.problem(start.load));
     }
 
     bool
@@ -104,11 +116,17 @@ namespace conetact::analysis
                                         run.model.points.layout().mu));
     if (may_pull)
       return "";
-    const solvers::Existence result =
-      existence->check(run.model.elasticity().contact_load(problem),
-                       load_at_start(problem, increment.before),
-                       run.history.largest_force(),
-                       problem.gap);
+    const Eigen::VectorXd load = run.model.elasticity().contact_load(problem);
+    const auto            check_from = [&](const Eigen::VectorXd &start) {
+      return existence->check(load,
+                              start,
+                              run.history.largest_force(),
+                              problem.gap);
+    };
+    solvers::Existence result =
+      check_from(load_at_start(problem, increment.before));
+    if (!result.admissible && begins_stage(increment, run))
+      result = check_from(loads_at_start(increment, run));
     return result.admissible ?
              "" :
              std::string("no equilibrium exists") +
@@ -139,7 +157,7 @@ namespace conetact::analysis
     const Eigen::Index    n     = problem.system->n_contact_unknowns();
     const Eigen::VectorXd start = load_at_start(problem, increment.before);
     if (!existence || !has_contact_reactions(problem, r) ||
-        has_let_go(r, start))
+        solvers::lets_go(start, r.head(n), gone))
       return {};
     Eigen::VectorXd       load = run.model.elasticity().contact_load(problem);
     const Eigen::VectorXd way  = load - start;
@@ -161,7 +179,7 @@ namespace conetact::analysis
     const Eigen::Index    n     = problem.system->n_contact_unknowns();
     const Eigen::VectorXd start = load_at_start(problem, increment.before);
     return existence && has_contact_reactions(problem, r) &&
-           !has_let_go(r, start) &&
+           !solvers::lets_go(start, r.head(n), gone) &&
            existence->is_limit(
              run.model.elasticity().contact_load(problem),
              start,
@@ -203,9 +221,23 @@ namespace conetact::analysis
   {
     constexpr double little = .01;
     const auto found = limit_state(problem, increment, increment.end.r, little);
-    return found ? "; this is within 1 % of the load from which on " +
-                     describe_motion(*found, run.model, *increment.mechanical) :
-                   "";
+    if (found)
+      return "; this is within 1 % of the load from which on " +
+             describe_motion(*found, run.model, *increment.mechanical);
+    if (!existence || !has_contact_reactions(problem, increment.end.r))
+      return "";
+    const Eigen::VectorXd last =
+      increment.end.r.head(problem.system->n_contact_unknowns());
+    const std::string slips =
+      contact::what_slips(last,
+                          holding(increment, last).friction,
+                          run.scene.contact_names,
+                          run.model);
+    return slips.empty() ?
+             "" :
+             "; there " + slips +
+               ", and bodies may jump from there to where nothing shows the "
+               "way. Apply less load, or move bodies by supports";
   }
 
   std::string

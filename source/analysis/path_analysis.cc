@@ -37,7 +37,9 @@ namespace conetact::analysis
 
     /** What to do about an error that is rounding; empty: it is another. */
     std::string
-    advice(const verification::Finding &finding, const double tolerance)
+    advice(const verification::Finding &finding,
+           const double                 tolerance,
+           const std::string           &shared)
     {
       constexpr double rounding = 1e-6;
       const double     error = std::max(finding.residual, finding.equilibrium);
@@ -45,8 +47,11 @@ namespace conetact::analysis
         return {};
       return ", which is more than Solver/Tolerance = " + to_text(tolerance) +
              ". Errors this small are mostly rounding of the condensed "
-             "stiffness that a path is followed with, which is large where a "
-             "node stands in several contacts: take it out of all but one, or "
+             "stiffness that a path is followed with" +
+             (shared.empty() ? ": " :
+                               ", which is large where a node stands in "
+                               "several contacts, as " +
+                                 shared + ": take it out of all but one, or ") +
              "set Solver/Tolerance to " +
              to_text(std::pow(10., std::ceil(std::log10(error))));
     }
@@ -83,6 +88,15 @@ namespace conetact::analysis
 
 
 
+  void
+  PathAnalysis::prepare()
+  {
+    Analysis::prepare();
+    system();
+  }
+
+
+
   const solvers::ContactSystem &
   PathAnalysis::system()
   {
@@ -90,11 +104,7 @@ namespace conetact::analysis
       {
         stiffness.emplace(model.elasticity().system());
         if (!stiffness->exists())
-          throw InputError(
-            "Solver/Method: a load path needs contacts that do not depend on "
-            "each other, but some contact nodes are held on both sides, or "
-            "slide along what supports hold. Take them out of a contact or a "
-            "support, or choose automatic.");
+          throw InputError(why_dependent(model, scene));
       }
     return *stiffness->system();
   }
@@ -169,7 +179,6 @@ namespace conetact::analysis
     MechanismFiles(model, folder).remove();
     create_outputs(folder, 0, quiet);
     events.emplace(folder);
-    system();
     write_problem_texts();
     Eigen::VectorXd gap = initial_gap.cwiseMax(0.);
     const auto      follower =
@@ -405,8 +414,11 @@ namespace conetact::analysis
         if (why.empty())
           finished.push_back(std::move(pending.record));
         else
-          failure = failed(pending.record,
-                           why + advice(finding, scene.solver.tolerance));
+          failure =
+            failed(pending.record,
+                   why + advice(finding,
+                                scene.solver.tolerance,
+                                node_in_several_contacts(model, scene)));
       }
     write(finished);
     for (std::size_t i = 0; i < finished.size(); ++i)

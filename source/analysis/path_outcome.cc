@@ -6,6 +6,9 @@
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
 
+#include <map>
+#include <utility>
+
 namespace conetact::analysis
 {
   namespace
@@ -187,5 +190,40 @@ namespace conetact::analysis
            " of the path, t = " + to_text(t) +
            ": it and all before it are on disk in " + folder.string() +
            ". A load path cannot be continued: run it from its start.";
+  }
+
+  std::string
+  node_in_several_contacts(const contact::ContactModel &model,
+                           const application::Scene    &scene)
+  {
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> seen;
+    for (const contact::ContactPoint &point : model.points)
+      {
+        const pairing::ContactNode &node = *point.node;
+        const auto                  other =
+          seen.emplace(std::make_pair(node.body, node.node), node.contact)
+            .first;
+        if (other->second != node.contact)
+          return "the node at " + to_text(node.position) + " of body '" +
+                 scene.bodies.names[node.body] + "' stands in contacts '" +
+                 scene.contact_names[other->second] + "' and '" +
+                 scene.contact_names[node.contact] + "'";
+      }
+    return "";
+  }
+
+  std::string
+  why_dependent(const contact::ContactModel &model,
+                const application::Scene    &scene)
+  {
+    const std::string shared = node_in_several_contacts(model, scene);
+    return "Solver/Method: a load path needs contacts that do not depend on "
+           "each other, but " +
+           (shared.empty() ?
+              "some contact nodes are held on both sides, or slide along "
+              "what supports hold. Take them out of a contact or a support, "
+              "or choose automatic." :
+              shared + ". Take it out of one of them (Boundary ids), or "
+                       "choose automatic.");
   }
 } // namespace conetact::analysis

@@ -126,37 +126,6 @@ namespace conetact::contact
 
   namespace
   {
-    /** Contacts that touch, and where no node has friction left. */
-    std::vector<std::string>
-    contacts_that_slip(const Eigen::VectorXd          &r,
-                       const Eigen::VectorXd          &friction,
-                       const std::vector<std::string> &contact_names,
-                       const ContactModel             &model)
-    {
-      constexpr double used_up = .99, presses = 1e-6; // of the largest reaction
-      const solvers::ContactSystem &layout  = model.points.layout();
-      const double                  largest = solvers::largest(r);
-      std::vector<int>              slips(contact_names.size(), 0);
-      for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-        {
-          const double r_t =
-            r.segment(layout.first[i], layout.n_tangents(i)).norm();
-          int &state = slips[model.points[i].node->contact];
-          if (friction[i] <= presses * largest)
-            continue;
-          const bool slides = r_t >= used_up * friction[i];
-          state             = slides && state >= 0 ? 1 : -1;
-        }
-      std::vector<std::string> result;
-      for (std::size_t c = 0; c < slips.size(); ++c)
-        if (slips[c] > 0)
-          result.push_back("'" + contact_names[c] + "'");
-      return result;
-    }
-  } // namespace
-
-  namespace
-  {
     solvers::ExistenceCheck
     existence_check(std::shared_ptr<const solvers::ContactSystem> system,
                     const ContactModel                           &model)
@@ -316,6 +285,33 @@ namespace conetact::contact
   }
 
   std::string
+  what_slips(const Eigen::VectorXd          &r,
+             const Eigen::VectorXd          &friction,
+             const std::vector<std::string> &contact_names,
+             const ContactModel             &model)
+  {
+    constexpr double used_up = .99, presses = 1e-6; // of the largest reaction
+    const solvers::ContactSystem &layout  = model.points.layout();
+    const double                  largest = solvers::largest(r);
+    std::vector<int>              slips(contact_names.size(), 0);
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const double r_t =
+          r.segment(layout.first[i], layout.n_tangents(i)).norm();
+        int &state = slips[model.points[i].node->contact];
+        if (friction[i] <= presses * largest)
+          continue;
+        const bool slides = r_t >= used_up * friction[i];
+        state             = slides && state >= 0 ? 1 : -1;
+      }
+    std::vector<std::string> result;
+    for (std::size_t c = 0; c < slips.size(); ++c)
+      if (slips[c] > 0)
+        result.push_back("'" + contact_names[c] + "'");
+    return result.empty() ? "" : "all of contact " + join(result) + " slips";
+  }
+
+  std::string
   describe_limit(const solvers::Existence       &limit,
                  const Eigen::VectorXd          &last,
                  const Eigen::VectorXd          &friction,
@@ -323,14 +319,11 @@ namespace conetact::contact
                  const ContactModel             &model,
                  const Eigen::VectorXd          &forces)
   {
-    constexpr double digits = 1e4; // more are not known
-    const auto slips = contacts_that_slip(last, friction, contact_names, model);
-    solvers::Existence told = limit;
+    constexpr double   digits = 1e4; // more are not known
+    const std::string  slips = what_slips(last, friction, contact_names, model);
+    solvers::Existence told  = limit;
     told.fraction = std::max(std::floor(digits * limit.fraction), 1.) / digits;
     return describe(told, model, forces) +
-           (slips.empty() ?
-              "" :
-              ", where all of contact " + join(slips) + " slips") +
-           ". Apply less load";
+           (slips.empty() ? "" : ", where " + slips) + ". Apply less load";
   }
 } // namespace conetact::contact

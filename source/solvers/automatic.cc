@@ -3,6 +3,7 @@
 
 #include "conetact/solvers/automatic.h"
 
+#include "conetact/solvers/doubtful_end.h"
 #include "conetact/solvers/gauss_seidel.h"
 #include "conetact/solvers/load_parts.h"
 #include "conetact/solvers/redundant_contacts.h"
@@ -20,14 +21,32 @@ namespace conetact::solvers
     using Eigen::VectorXd;
 
     /** The method without u of the part before, which does not go with the
-     * offset of this one. */
+     * offset of this one. What rounding holds is no end of a part. */
     LoadParts::Method
     anew(const LoadParts::Method &method)
     {
       return [method](const ContactProblem &part, ContactState &state) {
-        state.u = VectorXd();
-        return method(part, state);
+        state.u             = VectorXd();
+        SolverReport report = method(part, state);
+        if (report.converged && is_held_by_rounding(part, state))
+          {
+            report.converged = false;
+            report.reason    = "bodies move without end";
+          }
+        return report;
       };
+    }
+
+    /** Whether so little presses that a jam may have been lost. */
+    bool
+    may_have_lost_jam(const ContactProblem &problem,
+                      const ContactState   &start,
+                      const ContactState   &end)
+    {
+      constexpr double little = .01;
+      const Index      n      = problem.system->n_contact_unknowns();
+      return problem.system->null_space.cols() > 0 &&
+             lets_go(start.r.head(n), end.r.head(n), little);
     }
 
     bool
@@ -256,9 +275,13 @@ namespace conetact::solvers
   Automatic::parts_of(const ContactProblem &problem,
                       const ContactState   &state) const
   {
-    LoadParts parts = parts_from(state, problem);
-    parts.smallest  = 1. / options.max_substeps;
-    parts.stop      = options.stop;
+    LoadParts parts   = parts_from(state, problem);
+    parts.smallest    = 1. / options.max_substeps;
+    parts.stop        = options.stop;
+    parts.is_doubtful = [&problem](const ContactState &start,
+                                   const ContactState &end) {
+      return may_have_lost_jam(problem, start, end);
+    };
     return parts;
   }
 
@@ -320,6 +343,56 @@ namespace conetact::solvers
 
 
 
+  void
+  Automatic::take_jam(const ContactProblem &problem,
+                      const ContactState   &start,
+                      const ContactState   &jammed,
+                      SolverReport          parts,
+                      ContactState         &state,
+                      SolverReport         &report)
+  {
+    ContactState whole = jammed;
+    whole.u            = VectorXd();
+    const bool ends    = polish(problem, whole, report) &&
+                      !may_have_lost_jam(problem, start, whole);
+    report.converged = true;
+    state            = ends ? whole : jammed;
+    if (ends)
+      return;
+    add_work(parts, report);
+    report = std::move(parts);
+  }
+
+
+
+  void
+  Automatic::follow_doubtful(const ContactProblem &problem,
+                             const ContactState   &start,
+                             ContactState         &state,
+                             SolverReport         &report)
+  {
+    const bool is_far = is_held_by_rounding(problem, state);
+    if (options.max_substeps < 2 || is_stopped(options) ||
+        (!is_far && !may_have_lost_jam(problem, start, state)))
+      return;
+    ContactState       last  = start;
+    const SolverReport parts = solve_in_fast_parts(problem, last);
+    if (parts.converged && !is_far && !may_have_lost_jam(problem, start, last))
+      {
+        take_jam(problem, start, last, parts, state, report);
+        return;
+      }
+    add_work(report, parts);
+    if (parts.converged || !is_far || !options.is_limit ||
+        !options.is_limit(last, next_to_limit))
+      return;
+    state            = last;
+    report.converged = false;
+    report.reason    = parts.reason;
+  }
+
+
+
   SolverReport
   Automatic::solve(const ContactProblem &problem, ContactState &state)
   {
@@ -349,6 +422,12 @@ namespace conetact::solvers
     if (redundant && !report.converged)
       if (ContactState trial = estimate; solve_again(problem, trial, report))
         state = trial;
+    if (report.converged)
+      {
+        follow_doubtful(problem, alone, state, report);
+        if (!report.converged)
+          return report;
+      }
     // Where nothing presses, any motion that opens all contacts is a solution;
     // the shortest is what is promised.
     if (report.converged && presses_nothing(problem, state) &&

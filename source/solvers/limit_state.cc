@@ -98,6 +98,45 @@ namespace conetact::solvers
       return s;
     }
 
+    /**
+     * The same of nodes whose normal reactions r do not fall. So is a limit of
+     * what is jammed: slip out of a taper only relieves it.
+     */
+    Holding
+    with_kept_normals(const ContactSystem &system,
+                      const VectorXd      &r,
+                      Holding              holding)
+    {
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        if (const double normal = r[system.normal(i)]; normal > 0)
+          holding.pull[i] = -normal;
+      return holding;
+    }
+
+    /** Whether friction is what resists a motion, at all nodes that press:
+     * where normal reactions r drive it faster, contacts open instead, and
+     * others bear what they lose. */
+    bool
+    is_resisted_by_friction(const ContactSystem &system,
+                            const VectorXd      &v,
+                            const VectorXd      &friction,
+                            const VectorXd      &r)
+    {
+      constexpr double rounding = 1e-6, presses = 1e-6;
+      const double     least = presses * largest(r);
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        {
+          const double normal = r[system.normal(i)];
+          const double away   = v[system.normal(i)];
+          const double slip =
+            v.segment(system.first[i], system.n_tangents(i)).norm();
+          if (normal > least && away > rounding * largest(v) &&
+              normal * away >= friction[i] * slip)
+            return false;
+        }
+      return true;
+    }
+
     /** Which part of the way from c0 on `now` is; nothing: it is beside it. */
     std::optional<double>
     part_of_way(const VectorXd &c0, const VectorXd &way, const VectorXd &now)
@@ -109,6 +148,46 @@ namespace conetact::solvers
           (now - c0 - part * way).norm() <= off_the_way * way.norm())
         return part;
       return {};
+    }
+
+    /** The share of the load, with the motion w that sets in there, where what
+     * nodes bear under it is near its end; 1: it is not. */
+    double
+    share_of_limit(const ContactSystem             &system,
+                   const MatrixXd                  &R,
+                   const VectorXd                  &load,
+                   const VectorXd                  &start,
+                   const VectorXd                  &last,
+                   const ExistenceCheck::HoldingAt &holding,
+                   VectorXd                        &w)
+    {
+      const VectorXd c = R.transpose() * load, c0 = R.transpose() * start;
+      const VectorXd now = -R.transpose() * last, way = c - c0;
+      const auto     part = part_of_way(c0, way, now);
+      if (R.cols() == 0 || !part)
+        return 1;
+      const double solved = *part;
+      const auto   share  = [&](const VectorXd &r) {
+        return largest_share(system, R, holding(r), now, c - now, w);
+      };
+      double more = share(last);
+      // What presses goes on to change as before: little from here to the
+      // limit.
+      for (unsigned int k = 0;
+           k < most_guesses && solved > 0 && w.size() > 0 && more > known;
+           ++k)
+        {
+          const double   ahead  = more * (1 - solved) / solved;
+          const VectorXd then   = last + ahead * (last + start);
+          const double   before = std::exchange(more, share(then));
+          if (std::abs(more - before) <= known)
+            break;
+        }
+      const double beyond = more * (1 - solved);
+      if (w.size() == 0 || more >= 1 ||
+          (beyond > near && beyond * way.norm() > near_of_all * c.norm()))
+        return 1;
+      return solved + beyond;
     }
   } // namespace
 
@@ -147,17 +226,27 @@ namespace conetact::solvers
     const auto     solved = part_of_way(c0, way, now);
     if (!solved || *solved == 0)
       return false;
-    const double   more  = std::min(wanted, 1 - *solved);
-    const VectorXd then  = last + more / *solved * (last + start);
-    const VectorXd c     = now + more * way;
+    const double   more    = std::min(wanted, 1 - *solved);
+    const VectorXd then    = last + more / *solved * (last + start);
+    const VectorXd c       = now + more * way;
+    const auto     is_left = [&](const VectorXd &z, const Holding &bears) {
+      return work_left(*system, R * z, bears) + z.dot(c) >
+             most_left * more * way.norm() * z.norm();
+    };
     const Holding  bears = holding(then);
     const VectorXd z     = nearest_reach(*system, R, c, bears).z;
-    return work_left(*system, R * z, bears) + z.dot(c) >
-           most_left * more * way.norm() * z.norm();
+    if (is_left(z, bears))
+      return true;
+    const Holding  kept = with_kept_normals(*system, then, bears);
+    const VectorXd slip = nearest_reach(*system, R, c, kept).z;
+    return is_left(slip, kept) &&
+           is_resisted_by_friction(*system, R * slip, kept.friction, then);
   }
 
 
 
+  /* First with all that nodes could bear, then with what they bear while
+     normal reactions do not fall. */
   Existence
   ExistenceCheck::limit_state(const VectorXd  &load,
                               const VectorXd  &start,
@@ -167,37 +256,26 @@ namespace conetact::solvers
     eigen_assert(load.size() == R.rows());
     eigen_assert(start.size() == R.rows());
     eigen_assert(last.size() == R.rows());
-    Existence      result;
-    const VectorXd c = R.transpose() * load, c0 = R.transpose() * start;
-    const VectorXd now = -R.transpose() * last, way = c - c0;
-    const auto     part = part_of_way(c0, way, now);
-    if (R.cols() == 0 || !part)
+    const auto with = [&](const HoldingAt &bears) {
+      Existence result;
+      result.fraction =
+        share_of_limit(*system, R, load, start, last, bears, result.w);
+      result.admissible = result.fraction >= 1;
+      if (!result.admissible)
+        name_motion(result);
       return result;
-    const double solved = *part;
-    const auto   share  = [&](const VectorXd &r, VectorXd &w) {
-      return largest_share(*system, R, holding(r), now, c - now, w);
     };
-    VectorXd w;
-    double   more = share(last, w);
-    // What presses goes on to change as before: little from here to the limit.
-    for (unsigned int k = 0;
-         k < most_guesses && solved > 0 && w.size() > 0 && more > known;
-         ++k)
-      {
-        const double   ahead  = more * (1 - solved) / solved;
-        const VectorXd then   = last + ahead * (last + start);
-        const double   before = std::exchange(more, share(then, w));
-        if (std::abs(more - before) <= known)
-          break;
-      }
-    const double beyond = more * (1 - solved);
-    if (w.size() == 0 || more >= 1 ||
-        (beyond > near && beyond * way.norm() > near_of_all * c.norm()))
+    const Existence result = with(holding);
+    if (!result.admissible)
       return result;
-    result.admissible = false;
-    result.fraction   = solved + beyond;
-    result.w          = w;
-    name_motion(result);
-    return result;
+    const Existence slip = with([&](const VectorXd &r) {
+      return with_kept_normals(*system, r, holding(r));
+    });
+    return slip.admissible || is_resisted_by_friction(*system,
+                                                      slip.v,
+                                                      holding(last).friction,
+                                                      last) ?
+             slip :
+             result;
   }
 } // namespace conetact::solvers

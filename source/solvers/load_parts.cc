@@ -135,6 +135,12 @@ namespace conetact::solvers
         parts.load(next, slip, part);
         const SolverReport one = (*method)(part, trial);
         add_work(report, one);
+        if (one.converged && size / 4 >= parts.smallest && parts.is_doubtful &&
+            parts.is_doubtful(now, trial))
+          {
+            size /= 4;
+            continue;
+          }
         if (!one.converged)
           {
             report.reason = one.reason;

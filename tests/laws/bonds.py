@@ -177,7 +177,41 @@ def pier(laws):
     laws.demand(f"pier: the highest force, {peak:.0f}, is below that of all cohesion at once", 15000 < peak < 35000)
 
 
+SOFT = 40.0  # of the springs that drag it [force/length]
+
+
+def dragged_by_springs(dim, increments, **law):
+    """A stiff block pressed by 10 and dragged by springs whose far ends go 0.1 t along x, over an area of 2."""
+    size, sides = ((2.0, .1), (2, 3)) if dim == 2 else ((2.0, 1.0, .1), (4, 5))
+    return {"Dimension": dim, "Body block": box((6, 1) if dim == 2 else (6, 2, 1), size, young=1e5, poisson=0.0),
+            "Obstacle floor": floor(dim), "Contact bottom": contact(ids=sides[0], **{"Kinematics": "small", **law}),
+            "Support drag": support(sides[1], "x", "0.1*t", Stiffness=SOFT / 2),
+            **({} if dim == 2 else {"Support across": support(2, "y")}),
+            "Load press": load("pressure", "5", sides[1]), "Time": {"Times": increments}, "Output": {"VTU": 0}}
+
+
+def snaps(laws):
+    """What softens faster than its springs let go jumps to where the friction that is left holds it, slip s: SOFT (d - s) = it."""
+    falling = "0.4*(0.5 + 0.5*exp(-v/0.001))"
+    for name, law, peak, rest in (
+            ("cohesion lost by slip", {"mu": .2, "Cohesion": 1, "Cohesion lost": "slip", "Softening length": .01}, 4, 2),
+            ("cohesion and strength", {"mu": .2, "Cohesion": 1, "Tensile strength": .5, "Cohesion lost": "slip",
+                                       "Softening length": .01}, 4, 2),
+            ("a strength of more than c/mu", {"mu": .2, "Cohesion": .3, "Tensile strength": 2}, 2.6, 2.6),
+            ("friction that falls with speed", {"mu": falling}, 4, 2),
+            ("both", {"mu": falling, "Cohesion": 1, "Cohesion lost": "slip", "Softening length": .01}, 6, 2)):
+        for dim in (2, 3):
+            t = peak / SOFT / .1  # when it lets go
+            run = laws.run(dragged_by_springs(dim, f"{.98 * t!r}, {1.05 * t!r}", **law))
+            forces = [abs(record["bottom_f_x"]) for record in run.increments]
+            laws.check(f"{dim}D, {name}: held before", abs(forces[0] / (.98 * peak) - 1), 1e-3)
+            laws.check("  and after", abs(forces[1] / rest - 1), 1e-3)
+            slip = .105 * t - rest / SOFT
+            laws.check("  slip", max(abs(row["u_t1"] / slip - 1) for row in run.last()), 1e-2)
+
+
 def bonds(laws):
+    snaps(laws)
     pier(laws)
     pulled(laws)
     elastic(laws)

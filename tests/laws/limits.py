@@ -154,7 +154,77 @@ def not_by_cones(laws):
     laws.demand(sentence, "no equilibrium exists, body 'block' lifts off, moving along (0, 1, 0)" in sentence)
 
 
+def rings():
+    """Two rings from radius 10 to 20 and on to 30, of quadrilaterals whose nodes are on circles but for rounding."""
+    text = "Point(99)={0,0,0};\n"
+    for ring, (inner, outer) in enumerate(((10, 20), (20, 30))):
+        k = 100 * ring
+        for i in range(4):
+            for j, radius in ((1, inner), (11, outer)):
+                text += f"Point({k + j + i})={{{radius}*Cos({i}*Pi/2),{radius}*Sin({i}*Pi/2),0}};\n"
+        for i in range(4):
+            j = (i + 1) % 4
+            text += (f"Circle({k + 1 + i})={{{k + 1 + i},99,{k + 1 + j}}};Circle({k + 11 + i})={{{k + 11 + i},99,{k + 11 + j}}};"
+                     f"Line({k + 21 + i})={{{k + 1 + i},{k + 11 + i}}};\n")
+        for i in range(4):
+            j = (i + 1) % 4
+            text += (f"Curve Loop({k + 1 + i})={{{k + 1 + i},{k + 21 + j},{-(k + 11 + i)},{-(k + 21 + i)}}};"
+                     f"Plane Surface({k + 1 + i})={{{k + 1 + i}}};Transfinite Curve{{{k + 1 + i},{k + 11 + i}}}=7;"
+                     f"Transfinite Curve{{{k + 21 + i}}}=5;Transfinite Surface{{{k + 1 + i}}};Recombine Surface{{{k + 1 + i}}};\n")
+    for name, k in (("shaft", 0), ("hub", 100)):
+        text += (f'Physical Surface("{name}")={{{k + 1}:{k + 4}}};Physical Curve("inside of {name}")={{{k + 1}:{k + 4}}};'
+                 f'Physical Curve("outside of {name}")={{{k + 11}:{k + 14}}};\n')
+    return text
+
+
+def press_fit(laws, torque, slave):
+    """A hub shrunk by .02 onto a shaft that is held inside, turned by a torque by way of its rim, which stays round."""
+    (laws.folder / "rings.geo").write_text(rings())
+
+    def ring(name):
+        return {"Mesh": {"File": "rings.geo", "Group": name}, "Material": {"Young modulus": 210e3, "Poisson ratio": .3}}
+    sides = ["shaft", "outside of shaft", "hub", "inside of hub"]
+    return {"Dimension": 2, "Body shaft": ring("shaft"), "Body hub": ring("hub"),
+            "Contact fit": joint(*(sides if slave == "shaft" else sides[2:] + sides[:2]),
+                                 **{"Gap": "-0.02*min(t, 1)", "Friction coefficient": "if(t <= 1, 0, 0.15)"}),
+            "Support core": support("inside of shaft", "x, y", body="shaft"),
+            "Load torque": {"Body": "hub", "Boundary ids": "outside of hub", "Kind": "moment", "Coupling": "rigid",
+                            "Value": f"{torque!r}*max(t - 1, 0)", "Point": "0, 0"},
+            "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}}
+
+
+def press_fits(laws):
+    """A press fit turns under mu p 2 pi r^2, and not as far away as rounding of its circles would hold it."""
+    whole = .15 * 301.44 * 2 * math.pi * 20 ** 2  # p by Lame, of circles
+    for slave in ("shaft", "hub"):
+        held = laws.run(press_fit(laws, .98 * whole, slave))
+        rows = [row for row in held.rows if row["contact"] == "fit" and row["increment"] == 1]
+        most = .15 * 20 * sum(row["r_n"] for row in rows)
+        laws.check(f"nodes of the {slave}: pressure beside that of circles", abs(most / whole - 1), .02)
+        laws.demand("  a torque of .98 of it is held", len(held.increments) == 2)
+        for factor in (1.005, 1.05, 2.0):
+            sentence = told(laws, press_fit(laws, factor * most, slave))
+            laws.demand(f"  {factor}: {sentence}", "no equilibrium exists, body 'hub' turns about (0, 0, 1)" in sentence)
+            laws.check("  its limit", abs(share(sentence) * factor - 1), 5e-3)
+
+
+def released(laws):
+    """The share is one of the loads: what a support held that is released before has no part in it."""
+    scene = {"Dimension": 2, "Body plate": box((12, 2), (60.0, 10.0), young=210e3, **{"Boundary ids": "5: y > 9.99"}),
+             "Obstacle floor": floor(2), "Contact sole": contact("plate", mu=.3),
+             "Load press": load("pressure", f"{1000 / 60!r}*min(t, 1)", 5, "plate"),
+             "Load pull": load("force", "", 1, "plate", Point="60, 0.5"),
+             "Support jig": support(0, "x", body="plate", Active="t < 1.5"), "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}}
+    for load_at_end in (303.0, 450.0):
+        scene["Load pull"]["Value"] = f"{load_at_end}*max(t - 1, 0) ; 0"
+        sentence = told(laws, scene)
+        laws.demand(sentence, "slides along (1, 0, 0)" in sentence)
+        laws.check("  its limit", abs(share(sentence) * load_at_end / 300 - 1), 1e-5)
+
+
 def limits(laws):
+    press_fits(laws)
+    released(laws)
     by_laws(laws)
     not_by_cones(laws)
     lap_joint(laws)

@@ -42,7 +42,7 @@ namespace conetact::analysis
      * All that may find the scene wrong: its history, condensation. Throws
      * InputError.
      */
-    void
+    virtual void
     prepare();
 
     /** Condenses once more by another solver. Throws AnalysisError. */

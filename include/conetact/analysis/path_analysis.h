@@ -33,6 +33,9 @@ namespace conetact::analysis
     PathAnalysis(const application::Scene &scene, Log &log);
     void
     check_history() override;
+    /** Refuses contacts that depend on each other, too. */
+    void
+    prepare() override;
     void
     refuse_falling() const;
     /** Throws AnalysisError where the path does not converge. */

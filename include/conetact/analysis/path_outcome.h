@@ -53,6 +53,18 @@ namespace conetact::analysis
   interrupted_path(const unsigned int           point,
                    const double                 t,
                    const std::filesystem::path &folder);
+
+  /** A contact node that stands in more than one contact, and in which, as part
+   * of a sentence; empty: none does. */
+  std::string
+  node_in_several_contacts(const contact::ContactModel &model,
+                           const application::Scene    &scene);
+
+  /** Why no path is followed with contacts that depend on each other, a
+   * sentence. */
+  std::string
+  why_dependent(const contact::ContactModel &model,
+                const application::Scene    &scene);
 } // namespace conetact::analysis
 
 #endif

@@ -65,6 +65,16 @@ namespace conetact::contact
                   const ContactModel       &model,
                   const Eigen::VectorXd    &forces);
 
+  /** The contacts that touch all of whose nodes slip under the reactions
+   * `last`, where each node has so much friction, as a sentence; empty: there
+   * are none.
+   */
+  std::string
+  what_slips(const Eigen::VectorXd          &last,
+             const Eigen::VectorXd          &friction,
+             const std::vector<std::string> &contact_names,
+             const ContactModel             &model);
+
   /**
    * The same of ExistenceCheck::limit_state(), with the contacts all of whose
    * nodes slip under the reactions `last`, where each node has so much

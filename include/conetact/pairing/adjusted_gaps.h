@@ -17,8 +17,8 @@ namespace conetact::pairing
    * ones, and see a gap x^2/(2 R) from a node on as -h^2/(12 R), h the size of
    * a face. Without it a round body that is drawn to touch starts inside. Of
    * all nodes it is the same, so pressures do not change: the body comes nearer
-   * by so much. It stays wherever nodes slide (ContactNode::growth). Returns how
-   * much it is [length].
+   * by so much. It stays wherever nodes slide (ContactNode::growth). Returns
+   * how much it is [length].
    */
   double
   lift_convex_faces(const Contact                                &contact,

@@ -27,7 +27,8 @@ namespace conetact::solvers
    * @f$b_0 = v_0 - W r_0@f$). Parts change the answer of an incremental law, so
    * they are the last resort and the report counts them. Of bodies that float
    * parts tell first whether there is a limit, beyond which no method is of
-   * use.
+   * use. They also tell what the increment comes to where its end as a whole is
+   * doubtful: loose where a jam goes on, or far away beyond a limit.
    */
   class Automatic : public ContactSolver
   {
@@ -57,6 +58,23 @@ namespace conetact::solvers
     ends_at_once(const ContactProblem &problem,
                  ContactState         &state,
                  SolverReport         &report);
+
+    /** Follows the increment in parts where its end is doubtful. Of a limit
+     * that is reached on the way it makes a failure. */
+    void
+    follow_doubtful(const ContactProblem &problem,
+                    const ContactState   &start,
+                    ContactState         &state,
+                    SolverReport         &report);
+    /** What is left of a jam: by the increment as a whole if it has such an
+     * end, too. */
+    void
+    take_jam(const ContactProblem &problem,
+             const ContactState   &start,
+             const ContactState   &jammed,
+             SolverReport          parts,
+             ContactState         &state,
+             SolverReport         &report);
 
     /** The same from another start; true if it is solved. */
     bool

@@ -172,7 +172,9 @@ namespace conetact::solvers
     double load_force = 0; ///< that is known before anything is solved
   };
 
-  /** Whether node i has no friction, however it is pressed. */
+  /** Whether node i has no friction, neither where nothing presses it nor
+   * where all of the load does: what is pulled by a bond may have none, and
+   * coefficients may rise from 0 with pressure. */
   bool
   is_frictionless(const LinearRelation &relation, const Eigen::Index i);
 } // namespace conetact::solvers

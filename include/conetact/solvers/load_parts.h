@@ -29,6 +29,10 @@ namespace conetact::solvers
     using Method = std::function<SolverReport(const ContactProblem &part,
                                               ContactState         &state)>;
     Method solve;
+    /** Whether the end of a part is believed only where parts cannot be
+     * smaller; none: all are. */
+    std::function<bool(const ContactState &start, const ContactState &end)>
+      is_doubtful = {};
     /** Whether so much more of the increment than what `last` bears is known
      * not to be held: it is not tried. */
     std::function<bool(const ContactState &last, const double more)>
