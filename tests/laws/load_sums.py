@@ -55,6 +55,7 @@ def of_block(dim):
         ("a pressure", load("pressure", DEEP, 1), None, at(right, (-DEEP * area, 0, 0))),
         ("a pressure that grows with depth", load("pressure", f"{DEEP} + {k}*({top!r} - {'xyz'[high]})", 1), None, at(sinking, (-whole, 0, 0))),
         ("a point force", load("point force", text, Point=inside), None, at(inside, f)),
+        ("a nodal force", load("nodal force", text, 1), None, at(right, scaled(5 * (1 if dim == 2 else 4), f))),
         ("a body force", load("body force", text), None, at(middle, scaled(mass / DENSITY, f))),
         ("gravity", None, down, at(middle, scaled(mass, down))),
         ("a centrifugal load", load("centrifugal", SPIN), None, at(middle, spun))]
@@ -104,6 +105,8 @@ def tubes(laws):
     # p(r) = 2 + r on the end, 2 + 3 (top - y) on the wall: no force along the axis
     grows = math.pi * 2 * (outer**2 - inner**2) + 2 * math.pi * (outer**3 - inner**3) / 3
     cases = [("a force", load("force", "0 ; -7", 3), -7), ("a force, rigid", load("force", "0 ; -7", 3, Point=(0, 4), Coupling="rigid"), -7),
+             ("a force at a point", load("force", "0 ; -7", 3, Point=(0, 4)), -7), ("a point force", load("point force", "0 ; -7", Point=(1.3, 1.1)), -7),
+             ("a nodal force", load("nodal force", "0 ; -7", 3), -7 * 6),
              ("a traction", load("traction", "0 ; 3", 3), 3 * end), ("a pressure", load("pressure", 3, 3), -3 * end),
              ("a pressure that grows with the radius", load("pressure", "2 + x", 3), -grows),
              ("a body force", load("body force", "0 ; -2"), -2 * volume), ("gravity", None, -DENSITY * GRAVITY * volume)]
