@@ -5,6 +5,8 @@
 
 usage: gallery.py [SCENE...]      (all of them by default)
 
+bolted-flange is the picture of README.md, of a tutorial's scene with smaller cells.
+
 The program is build/conetact, or what CONETACT names in the environment. Needs python3-numpy
 and python3-matplotlib.
 """
@@ -45,10 +47,23 @@ GALLERY = {
     "brake-fade": ({}, ["--amplify", "50"]),
 }
 MOST_BYTES = 150000
+FRONT = "bolted-flange"
+FLANGE = TOP / "doc/site/tutorials/flange/flange.prm"
 CURVES = {"fretting-loop": ({"Output/VTU": 0}, ["joint_f_x", "u_t1", "--near", "0.8,0"])}
 
 
+def draw_front(folder):
+    """The bolt and its flange in section, and the joint."""
+    run(FLANGE, {f"Body {body}/Mesh/Parameters": "size = 3" for body in ("flange", "bolt")}, folder / "flange")
+    subprocess.run([TOP / "scripts" / "picture.py", folder / "flange", "--clip", "y=0", "--contacts", "joint", "--percentile", "99",
+                    "--view", "20,-62", "-o", TOP / "doc" / f"{FRONT}.png", "--dpi", "97"], check=True)
+    make_small(TOP / "doc" / f"{FRONT}.png")
+
+
 def draw(name, folder):
+    if name == FRONT:
+        draw_front(folder)
+        return
     changes, options = (GALLERY | CURVES)[name]
     run(TOP / "parameter-files" / f"{name}.prm", changes, folder / name)
     picture = TOP / "doc" / "gallery" / f"{name}.png"
@@ -69,7 +84,7 @@ def make_small(picture):
 
 
 def main(names):
-    known = [*GALLERY, *CURVES]
+    known = [*GALLERY, *CURVES, FRONT]
     unknown = [name for name in names if name not in known]
     if unknown:
         sys.exit(f"gallery.py: there is no {unknown[0]} in the gallery; it has {', '.join(known)}.")

@@ -42,7 +42,7 @@ PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-curve" result | grep -q bottom_f_x
 
 # pages to read; those of man where help2man made them
 for page in README.md CHANGELOG.md LICENSE copyright doc/results.md doc/doxygen/theory.md \
-  doc/bolted-bracket.png doc/gallery/floating-block.png; do
+  doc/bolted-flange.png doc/gallery/floating-block.png; do
   [ -s "$prefix/share/doc/conetact/$page" ] || { echo "$page is missing"; exit 1; }
 done
 if grep -q '^HELP2MAN:FILEPATH=/' "$build/CMakeCache.txt" && [ -d "$build/man" ]; then

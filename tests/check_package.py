@@ -568,21 +568,31 @@ def wheel(laws):
     python = laws.folder / "venv/bin/python"
     quietly(laws, sys.executable, "-m", "venv", "--system-site-packages", laws.folder / "venv")
     tree = laws.folder / "tree"
-    copy_of_tree(tree, laws.program)
+    copy_of_tree(tree)
     quietly(laws, python, "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", tree)
+    places = [path for path in (laws.folder / "venv").rglob("conetact*/**/*") if path.is_file() and path.suffix != ".pyc"
+              and path.name != "direct_url.json" and str(tree).encode() in path.read_bytes()]
+    laws.demand(f"no file of the installed package names the source tree: {places}", not places)
+    where = "import conetact; print(conetact.executable())"
+    said = said_by(laws, python, where, PATH="/nowhere")
+    laws.demand("without a program it says where one could be", "neither on the PATH" in said and "CONETACT" in said)
+    (laws.folder / "bin").mkdir()
+    (laws.folder / "bin/conetact").symlink_to(laws.program)
+    said = said_by(laws, python, where, PATH=str(laws.folder / "bin"))
+    laws.demand(f"that of the PATH: {said}", said == [str(laws.folder / "bin/conetact")])
     said = said_by(laws, python, "import conetact, sys; print(conetact.executable()); "
-                   f"print(len(conetact.run({str(BLOCK)!r}).reactions), conetact.__file__.startswith(sys.prefix))")
-    laws.demand(f"the installed package: {said}", said == [str(tree / "build/conetact"), "21", "True"])
-    (tree / "build/conetact").unlink()
+                   f"print(len(conetact.run({str(BLOCK)!r}).reactions), conetact.__file__.startswith(sys.prefix))",
+                   CONETACT=str(laws.program))
+    laws.demand(f"what CONETACT names: {said}", said == [str(laws.program), "21", "True"])
     (python.parent / "conetact").symlink_to(laws.program)
-    said = said_by(laws, python, "import conetact; print(conetact.executable())")
-    laws.demand(f"or one that was installed beside it: {said}", said == [str(python.parent / "conetact")])
+    said = said_by(laws, python, where, PATH=str(laws.folder / "bin"))
+    laws.demand(f"before that of the PATH, the one that was installed beside it: {said}", said == [str(python.parent / "conetact")])
     laws.demand("nothing is left in the source tree", tracked() == before)
 
 
-def said_by(laws, python, program):
-    """Words that a program of Python prints, or its error."""
-    environment = {name: value for name, value in os.environ.items() if name not in ("CONETACT", "PYTHONPATH")}
+def said_by(laws, python, program, **more):
+    """Words that a program of Python prints, or its error, with more variables of the environment."""
+    environment = {name: value for name, value in os.environ.items() if name not in ("CONETACT", "PYTHONPATH")} | more
     done = subprocess.run([python, "-c", program], cwd=laws.folder, env=environment, capture_output=True, text=True)
     return done.stdout.split() or done.stderr
 
@@ -593,12 +603,10 @@ def tracked():
                   if path.name != "__pycache__")
 
 
-def copy_of_tree(tree, program):
+def copy_of_tree(tree):
     shutil.copytree(TOP / "python", tree / "python", ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "setup.py", "CMakeLists.txt"):
         shutil.copy(TOP / name, tree / name)
-    (tree / "build").mkdir()
-    (tree / "build/conetact").symlink_to(program)
 
 
 def quietly(laws, *words):

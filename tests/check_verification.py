@@ -113,6 +113,87 @@ def limit_of(tables):
     return Events(tables.result.folder).parameter
 
 
+def stays(x):
+    """Displacement of a node at x of the discrete bar on its base, Popov and Lovtsov's Example 2, with 160 nodes."""
+    length, q, mu, force, stiffness, h = 260, 3975, .3, 243750, 1.95e9 * .09361946107697598, 260 / 159
+    end = length - force / (mu * q)
+    last = max(i for i in range(160) if i * h <= end + h / 2) * h
+    return mu * q / (2 * stiffness) * ((x - end)**2 - (last - end)**2) if x > last else 0
+
+
+def popov_2(tables):
+    rows = tables.rows("base")
+    for x in (260, 130):
+        row = rows[abs(rows["x"] - x).argmin()]
+        yield Row(f"displacement at x = {row['x']:.4g} m [m]", stays(row["x"]), row["u_t1"] if row["n_y"] > 0 else -row["u_t1"], 1e-9)
+
+
+def released(tables):
+    """Loads at which nodes begin to slip, pulled and let go."""
+    first = .3 * 3975 * 260 / 9 / 243750 * .5
+    events = events_of(tables)
+    yield Row("load over F at which the last node slips", first, events[0], 1e-9)
+    yield Row("load over F at which it slips back", 1 - 2 * first, 2 - next(p for p in events if p > 1), 1e-9)
+
+
+def events_of(tables):
+    with (tables.result.folder / "events.csv").open() as stream:
+        return [float(line.split(",")[1]) for line in list(stream)[1:-1]]
+
+
+def tipping(tables):
+    yield Row("push over weight at which it tips", 1 / .9, limit_of(tables), 1e-6)
+
+
+def tipping_in_space(tables):
+    yield Row("push over weight at which it tips", 1 / (.9 * math.cos(math.pi / 6)), limit_of(tables), 1e-5)
+
+
+def sliding(tables):
+    yield Row("push over weight at which it slides", .5, limit_of(tables), 1e-6)
+
+
+def grid(*counts):
+    def measure(tables):
+        states = [str(state) for state in tables.rows("feet")["state"]]
+        for state, count in zip(("stick", "slip", "open"), counts):
+            yield Row(f"nodes that {state}" if state != "open" else "open nodes", count, states.count(state), 0)
+    return measure
+
+
+def worn_punch(tables):
+    rows, modulus = tables.rows("joint"), 1000 / (2 * (1 - .3**2))
+    force, stuck = tables.value("joint_f_y"), [abs(row["x"]) for row in rows if row["state"] == "stick"]
+    edge = (max(stuck) + min(abs(row["x"]) for row in rows if row["state"] == "slip")) / 2
+    convex = math.pi * modulus * edge**2 / (4 * 100)
+    middle = rows[abs(rows["x"]).argmin()]
+    yield Row("pressure in the centre, of the width that sticks", 2 * convex / (math.pi * edge) + (force - convex) / (math.pi * edge),
+              middle["pressure"], .04)
+
+
+def torque(tables):
+    each = sum(.4 * row["r_n"] * math.hypot(row["x"], row["y"]) for side in ("upper", "lower") for row in tables.rows(side))
+    yield Row("torque of an even pressure", .4 * 2400 * 77.8678, each, .01)
+
+
+def gasket(tables):
+    area, stiff, bolts, start = math.pi * (100**2 - 50**2), math.pi * (100**2 - 50**2) / .02, 106.1 * 4712, .5698
+    pretension, share = start / (1 / bolts + 1 / stiff), bolts / (bolts + stiff)
+    for t in (1, 21):
+        pressed = (pretension - (1 - share) * .25 * (t - 1) * math.pi * 50**2) / area
+        yield Row(f"mean pressure of the gasket at {.25 * (t - 1):g} MPa [MPa]", pressed, mean_pressure(tables.rows("gasket", t)), .02)
+
+
+def fading(tables):
+    for t, expected, state in ((1, 648, "cold"), (5, 324, "hot"), (6, 576, "hot, pressed twice as hard")):
+        yield Row(f"friction of an even pressure, {state} [N]", expected, abs(tables.value("lining_f_x", t)), .035)
+
+
+def mortar_joint(tables):
+    yield Row("last force of the bed joint [N]", 15000, abs(tables.value("middle_high_f_x")), 1e-6)
+    yield Row("work of its fracture [N mm]", 500 * 100 * .4 * .05 / 2, tables.value("middle_high_fracture"), 1e-3)
+
+
 def coulomb(tables):
     yield Row("surcharge at which the wall slides [kPa]", 56.16, limit_of(tables), 1e-6)
 
@@ -157,7 +238,23 @@ CASES = {  # what the page calls it, scene, other values of entries, what is com
     "coulomb": ("Coulomb 1776, earth pressure", f"{SCENES}/retaining-wall.prm", {}, coulomb),
     "groove": ("Statics, block in a V groove", f"{SCENES}/block-in-groove.prm", {}, groove),
     "wedge": ("Statics, wedge with friction, pulled and let go", f"{SCENES}/dovetail.prm", {}, wedge),
-    "popov-1": ("Popov and Lovtsov 2023, Example 1", f"{SCENES}/beam-three-supports.prm", {}, popov_1)}
+    "block-slides": ("Statics, block that is pushed low", f"{SCENES}/pushed-block.prm", {}, sliding),
+    "block-tips": ("the same, pushed high", f"{SCENES}/pushed-block.prm",
+                   {"Load push/Point": "0, 0.9", "Contact bottom/Friction coefficient": "1.5"}, tipping),
+    "block-tips-3d": ("the same in space, at 30 degrees to an edge", f"{SCENES}/pushed-block-3d.prm",
+                      {"Load push/Point": "0, 0, 0.9", "Contact bottom/Friction coefficient": "1.5"}, tipping_in_space),
+    "popov-1": ("Popov and Lovtsov 2023, Example 1", f"{SCENES}/beam-three-supports.prm", {}, popov_1),
+    "popov-2": ("Popov and Lovtsov 2023, Example 2, 160 nodes", f"{SCENES}/bar-on-rigid-base.prm",
+                {"Body bar/Frame/Arguments": "0, 0 : 260, 0 : 159"}, popov_2),
+    "popov-2-released": ("the same with 10 nodes, pulled and let go", f"{SCENES}/bar-pull-release.prm", {}, released),
+    "kanno-10": ("Kanno, Martins, Pinto da Costa 2004, Example 5.3, grid of 10 x 10", f"{SCENES}/double-layer-grid-10.prm", {},
+                     grid(43, 52, 5)),
+    "kanno-12": ("the same, grid of 12 x 12", f"{SCENES}/double-layer-grid-12.prm", {}, grid(78, 62, 4)),
+    "goryacheva": ("Goryacheva, Rajeev, Farris 2001, contact worn by fretting", f"{SCENES}/fretting-wear.prm", {}, worn_punch),
+    "disc-brake": ("Statics, torque of a disc brake", f"{SCENES}/disc-brake.prm", {}, torque),
+    "brake-fade": ("Statics, friction that falls with temperature and pressure", f"{SCENES}/brake-fade.prm", {}, fading),
+    "gasket": ("Springs of bolts and gasket under a rigid flange", f"{SCENES}/gasket-flange.prm", {}, gasket),
+    "mortar-joint": ("Statics, bed joint of a pier that is pushed", f"{SCENES}/masonry-pier.prm", {}, mortar_joint)}
 REFERENCES = {  # tables of an independent program, compared number by number
     "5.1": ("Kanno, Martins, Pinto da Costa 2004, Example 5.1", "square-greco"),
     "5.2": ("the same, Example 5.2, 23 increments", "inclined-obstacle"),

@@ -14,23 +14,18 @@ from pathlib import Path
 
 from .errors import ConetactError, error_of
 
-try:  # written when a wheel is made in a source tree that has been built
-    from ._built import BUILT  # type: ignore[import]
-except ImportError:
-    BUILT = ""
-
-TOP = Path(__file__).resolve().parents[2]  # of the source tree, or share/conetact
+TOP = Path(__file__).resolve().parents[2]  # of the source tree, share/conetact, or lib/python3.N of an environment
 
 
 def places() -> list[Path]:
     """Where the program may be, the most likely place first."""
     on_path = shutil.which("conetact")
     return [TOP / "build" / "conetact", TOP.parent.parent / "bin" / "conetact",
-            *([Path(BUILT)] if BUILT else []), *([Path(on_path)] if on_path else [])]
+            *([Path(on_path)] if on_path else [])]
 
 
 def executable() -> Path:
-    """The program: what CONETACT names, that of the source tree, the one that was installed, or that of PATH.
+    """The program: what CONETACT names, that of the source tree, the one that was installed beside the package, or that of PATH.
 
     >>> conetact.executable().name
     'conetact'
@@ -44,8 +39,8 @@ def executable() -> Path:
                             "it must be an executable.")
     looked = ", ".join(map(str, places()))
     raise ConetactError(f"The program conetact is neither on the PATH nor one of {looked}. "
-                        "Build it with ./conetact --version in the source tree, or name it in the environment variable "
-                        "CONETACT.")
+                        "Build it with ./conetact --version in the source tree, and name build/conetact in the "
+                        "environment variable CONETACT, or link it to a folder of the PATH.")
 
 
 def execute(words: Sequence[str]) -> subprocess.CompletedProcess[str]:

@@ -151,6 +151,15 @@ def set_camera(stage, limits, view, aspect):
     return 2 * half
 
 
+def left_by(clips, limits, eye):
+    """The part of a box behind planes."""
+    low, high = np.array(limits)
+    for axis, place in clips:
+        if low[axis] < place < high[axis]:
+            (high if eye[axis] >= 0 else low)[axis] = place
+    return low, high
+
+
 def clipped(stage, body, values, clips, eye):
     """Surface of what is left of a body behind planes: the side towards the eye goes."""
     grid = stage.new("vtkUnstructuredGrid")
@@ -271,7 +280,7 @@ def draw(axes, shapes, scales, arrows, units, limits, view, clips, dpi):
     width, height = pixels_of(axes, dpi)
     stage, eye = Stage(), directions(view)[2]
     add_shapes(stage, shapes, scales, arrows, float(np.linalg.norm(limits[1] - limits[0])), clips, eye)
-    tall = set_camera(stage, limits, view, width / height)
+    tall = set_camera(stage, left_by(clips, limits, eye), view, width / height)
     axes.imshow(stage.picture(width, height), extent=(0, width, 0, height), aspect="auto", interpolation="antialiased")
     draw_axes(axes, view, .07 * min(width, height))
     draw_length(axes, tall / height, width, height, units)

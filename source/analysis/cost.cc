@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace conetact::analysis
 {
@@ -90,6 +92,9 @@ namespace conetact::analysis
     constexpr double bytes_of_each[]        = {400, 100};
     constexpr double longer_if_unequal      = 4;
     constexpr double larger_if_unequal      = 3;
+    // Numbers of a matrix whose elements differ grow in an array, up to twice
+    // their size, and are then put in the order of rows.
+    constexpr double bytes_of_entry = 3 * sizeof(double);
 
     // Dense operations a second of a core, in which choices count the seconds
     // above: a choice must not depend on the clock, nor on who else works on
@@ -204,6 +209,68 @@ namespace conetact::analysis
       return all > 0 ? unequal / all : 0.;
     }
 
+    /** Unknowns that elements connect with one, itself included: the mean of
+     * some nodes all over a body. */
+    double
+    stencil_of(const bodies::Structure &body)
+    {
+      constexpr unsigned int              most = 500;
+      const unsigned int                  step = 1 + body.n_nodes() / most;
+      const unsigned int                  n    = body.n_components();
+      std::vector<std::set<unsigned int>> met(body.n_nodes() / step + 1);
+      body.for_each_connection([&](const std::vector<unsigned int> &dofs) {
+        for (const unsigned int dof : dofs)
+          if (dof % n == 0 && (dof / n) % step == 0)
+            met[dof / n / step].insert(dofs.begin(), dofs.end());
+      });
+      double sum = 0, count = 0;
+      for (const std::set<unsigned int> &others : met)
+        if (!others.empty())
+          {
+            sum += static_cast<double>(others.size());
+            ++count;
+          }
+      return count > 0 ? sum / count : 0.;
+    }
+
+    /**
+     * Of the matrix of all unknowns, in space: of bodies whose elements differ,
+     * and where contacts connect bodies. A slave's node meets the m nodes of
+     * its master, and so do all that its elements connect with it.
+     */
+    double
+    entries(const contact::ContactModel &model)
+    {
+      std::vector<double> stencil;
+      double              sum = 0;
+      for (const bodies::Structure *body : model.bodies.structures)
+        {
+          stencil.push_back(stencil_of(*body));
+          sum += stencil.back() * static_cast<double>(body->n_dofs());
+        }
+      sum *= unequal_part(model);
+      for (const contact::ContactPoint &point : model.points.all())
+        {
+          const double m =
+            model.bodies.dim * static_cast<double>(point.node->masters.size());
+          sum += m * (2 * stencil[point.node->body] + m);
+        }
+      return sum;
+    }
+
+    /** What processes share. In the plane fronts of rows and levels outweigh
+     * numbers of the matrix. */
+    double
+    bytes_of_unknown(const contact::ContactModel &model)
+    {
+      const double unequal = unequal_part(model);
+      if (model.bodies.dim == 2)
+        return shared_bytes[0] * (1 + (larger_if_unequal - 1) * unequal);
+      const auto n = static_cast<double>(model.coordinates.n_unknowns());
+      return shared_bytes[1] * (1 - unequal) +
+             bytes_of_entry * entries(model) / n;
+    }
+
     /** Of one process. */
     double
     seconds_of_iterating(const contact::ContactModel &model,
@@ -280,12 +347,10 @@ namespace conetact::analysis
     const std::size_t d = model.bodies.dim - 2;
     const auto        increments = static_cast<double>(n_increments);
     const double      share      = n / n_processes;
-    const double      unequal    = unequal_part(model);
     const double      solution =
       seconds_of_iterating(model, n_increments) / n_processes;
-    const double shared =
-      share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
-    Cost cost;
+    const double shared = share * bytes_of_unknown(model);
+    Cost         cost;
     cost.memory_bytes = peak_memory() + bytes_of_each[d] * n + shared;
     cost.seconds      = cpu_seconds() + solution +
                    seconds_of_results(model, increments, n_drawings);

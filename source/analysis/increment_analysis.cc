@@ -89,6 +89,7 @@ namespace conetact::analysis
         Step                          step   = finish(batch);
         save_state(step.outcome == Outcome::failed ||
                    solved.outcome == Outcome::failed);
+        tell_progress();
         if (step.outcome == Outcome::accepted)
           step = solved;
         next = step.next;
@@ -104,7 +105,7 @@ namespace conetact::analysis
             case Outcome::failed:
               if (!leaves_small().empty())
                 return;
-              if (Interruption::is_wanted())
+              if (wants_to_stop())
                 stop();
               go_on_otherwise(next, step.failure);
               if (!is_in_team()) // the first process goes on alone
@@ -136,8 +137,7 @@ namespace conetact::analysis
     if (lock_is_due(k))
       lock(k);
     const auto is_full = [&] {
-      return batch.size() >= size ||
-             (!batch.empty() && Interruption::is_wanted());
+      return batch.size() >= size || (!batch.empty() && wants_to_stop());
     };
     for (; k <= scene.times.size() && !is_full() && !lock_is_due(k); ++k)
       {

@@ -71,8 +71,8 @@ namespace conetact::analysis
   void
   IncrementAnalysis::stop_if_asked(const unsigned int next)
   {
-    if (Interruption::is_wanted() && !parts.others_follow() &&
-        next <= scene.times.size() && n_on_disk > 0)
+    if (!parts.others_follow() && next <= scene.times.size() && n_on_disk > 0 &&
+        wants_to_stop())
       stop();
   }
 
@@ -82,23 +82,39 @@ namespace conetact::analysis
     if (n_on_disk == 0)
       Interruption::stop("Interrupted in the first increment, which is not "
                          "found by the fast method: there are no results.");
-    const std::string folder  = description.folder.string();
-    const bool        goes_on = scene.checkpoint_every > 0;
-    if (goes_on && n_on_disk != n_saved && !parts.others_follow())
+    if (scene.checkpoint_every > 0 && n_on_disk != n_saved &&
+        !parts.others_follow())
       write_checkpoint();
-    Interruption::stop(
-      "Interrupted after increment " + std::to_string(n_on_disk) +
-      ", t = " + to_text(scene.times[n_on_disk - 1]) +
-      ": it and all before it are on disk in " + folder + ". " +
-      (goes_on ?
-         "Run the same command with --restart " + folder + " to go on." :
-       scene.adaptive.cycles > 0 ?
-         "A scene with Adaptive refinement cannot be continued." :
-       scene.follows_branches ?
-         "A run with Method = all solutions cannot be continued: run it from "
-         "its start." :
-         "This run cannot be continued; one with Output/Checkpoint = 1 or more "
-         "can, by --restart."));
+    Interruption::stop(interrupted());
+  }
+
+  std::string
+  IncrementAnalysis::interrupted() const
+  {
+    const std::string folder = description.folder.string();
+    return "Interrupted after increment " + std::to_string(n_on_disk) +
+           ", t = " + to_text(scene.times[n_on_disk - 1]) +
+           ": it and all before it are on disk in " + folder + ". " +
+           (scene.checkpoint_every > 0 && n_saved > 0 ?
+              "Run the same command with --restart " + folder + " to go on" +
+                (n_saved < n_on_disk ?
+                   " after increment " + std::to_string(n_saved) :
+                   "") +
+                "." :
+            scene.adaptive.cycles > 0 ?
+              "A scene with Adaptive refinement cannot be continued." :
+            scene.follows_branches ?
+              "A run with Method = all solutions cannot be continued: run it "
+              "from its start." :
+              "This run cannot be continued; one with Output/Checkpoint = 1 or "
+              "more can, by --restart.");
+  }
+
+  void
+  IncrementAnalysis::tell_progress() const
+  {
+    if (n_on_disk > 0)
+      Interruption::know(interrupted());
   }
 
   void

@@ -106,8 +106,8 @@ namespace conetact::analysis
     options.ends_early             = [this] { return leaves_slow_increment(); };
     // processes of a team see it at different times
     options.stop = [this] {
-      return is_slow ? Interruption::is_wanted() :
-                       team().size() == 1 && Interruption::is_urgent();
+      return team().size() == 1 &&
+             (is_slow ? Interruption::is_wanted() : Interruption::is_urgent());
     };
     options.is_limit = [this](const solvers::ContactState &last,
                               const double                 more) {
@@ -135,7 +135,7 @@ namespace conetact::analysis
                   ": the fast method does not find the states of contacts, "
                   "slower ones are tried, which may take minutes, above all "
                   "where there is no equilibrium");
-    return Interruption::is_wanted();
+    return wants_to_stop();
   }
 
   PendingIncrement

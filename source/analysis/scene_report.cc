@@ -273,15 +273,18 @@ namespace conetact::analysis
   void
   report_loads(const bodies::NodalLoads &loads, Log &log)
   {
-    for (const bodies::NodalLoads::Largest &load : loads.largest())
+    for (std::size_t i = 0; i < loads.largest().size(); ++i)
       {
+        const bodies::NodalLoads::Largest &load = loads.largest()[i];
         const bool is_couple = load.force.norm() == 0 && load.moment.norm() > 0;
+        const std::string asked = loads.asked(i);
         log.note("Load " + load.name +
                  (is_couple ? ": moment " + to_text(load.moment) :
                               ": resultant " + to_text(load.force)) +
                  (load.is_constant ? " at all times" :
                                      " at t = " + to_text(load.time)) +
-                 ", on " + std::to_string(load.n_nodes) + " nodes");
+                 ", on " + std::to_string(load.n_nodes) + " nodes" +
+                 (asked.empty() ? "" : ", " + asked));
       }
   }
 

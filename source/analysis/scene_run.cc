@@ -81,8 +81,8 @@ namespace conetact::analysis
       note_work(analysis.work(), {}, log);
     }
 
-    /** Runs the history on the mesh at hand. mpirun ends many processes,
-     * whatever they would like to do first. */
+    /** Runs the history on the mesh at hand. The first process is asked to
+     * stop, and asks the others. */
     void
     run_history(Analysis                       &analysis,
                 const std::filesystem::path    &folder,
@@ -94,8 +94,8 @@ namespace conetact::analysis
           if (line.verify)
             analysis.verify();
           std::optional<Interruption> interruption;
-          if (ProcessSession::n_processes() == 1)
-            interruption.emplace();
+          if (ProcessSession::speaks())
+            interruption.emplace(ProcessSession::n_processes() == 1);
           analysis.run(folder, line.quiet);
         }
       catch (const AnalysisError &error)

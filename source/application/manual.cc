@@ -36,7 +36,7 @@ entry. NAME stands for names of your own.
 # Run it:          conetact THIS-FILE.prm
 # All entries:     conetact --parameters
 # Check it only:   conetact THIS-FILE.prm --dry-run
-# Units are yours, any consistent ones; here N, mm, MPa.
+# Units: N, mm, MPa. Any consistent ones will do: write yours here.
 
 set Dimension = 2           # or 3
 set Bodies    = block       # names of your own, each with its subsection below

@@ -5,6 +5,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdlib>
 #include <ctime>
 
@@ -26,6 +29,16 @@ namespace conetact
       "\nconetact: The increment that is running is finished first, unless it "
       "is hard to find; Ctrl-C once more ends the run at once.\n";
 
+    /** Sentences of which a handler may write the last one, whenever it is
+     * called: the other one is changed. */
+    struct Sentence
+    {
+      std::array<char, 2048> text   = {};
+      std::size_t            length = 0;
+    };
+    std::array<Sentence, 2>       sentences;
+    std::atomic<const Sentence *> last_sentence = nullptr;
+
     /** Nothing but what a handler may call. */
     void
     take_interrupt(int)
@@ -35,28 +48,75 @@ namespace conetact
       if (::write(STDERR_FILENO, told, sizeof(told) - 1) < 0)
         return; // nobody listens
     }
+
+    /** mpirun leaves its processes a second. */
+    void
+    take_end(const int signal)
+    {
+      const Sentence *const known = last_sentence;
+      if (known != nullptr &&
+          ::write(STDERR_FILENO, known->text.data(), known->length) < 0)
+        return; // nobody listens, and SIGKILL follows
+      raise(signal);
+    }
+
+    void
+    set_handler(const int signal,
+                void (*const handler)(int),
+                struct sigaction &before)
+    {
+      struct sigaction now = {};
+      now.sa_handler       = handler;
+      now.sa_flags         = SA_RESTART | SA_RESETHAND;
+      sigemptyset(&now.sa_mask);
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler != SIG_IGN)
+        sigaction(signal, &now, nullptr);
+    }
   } // namespace
 
 
 
-  Interruption::Interruption()
-    : before()
+  Interruption::Interruption(const bool is_alone)
+    : wish(is_alone ? SIGINT : forwarded)
+    , before_wish()
+    , before_end()
   {
-    is_interrupted       = 0;
-    struct sigaction now = {};
-    now.sa_handler       = take_interrupt;
-    now.sa_flags         = SA_RESTART | SA_RESETHAND;
-    sigemptyset(&now.sa_mask);
-    sigaction(SIGINT, nullptr, &before);
-    if (before.sa_handler != SIG_IGN)
-      sigaction(SIGINT, &now, nullptr);
+    is_interrupted = 0;
+    last_sentence  = nullptr;
+    set_handler(wish, take_interrupt, before_wish);
+    if (ends_at_once())
+      set_handler(SIGTERM, take_end, before_end);
   }
 
 
 
   Interruption::~Interruption()
   {
-    sigaction(SIGINT, &before, nullptr);
+    sigaction(wish, &before_wish, nullptr);
+    if (ends_at_once())
+      sigaction(SIGTERM, &before_end, nullptr);
+  }
+
+
+
+  bool
+  Interruption::ends_at_once() const
+  {
+    return wish != SIGINT;
+  }
+
+
+
+  void
+  Interruption::know(const std::string &what)
+  {
+    Sentence &next =
+      last_sentence == &sentences[0] ? sentences[1] : sentences[0];
+    const std::string line = "\nconetact: " + what + "\n";
+    next.length            = std::min(line.size(), next.text.size());
+    std::copy_n(line.begin(), next.length, next.text.begin());
+    last_sentence = &next;
   }
 
 

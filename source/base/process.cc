@@ -5,15 +5,19 @@
 
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/interruption.h"
 
 #include <deal.II/base/multithread_info.h>
 
 #include <mpi.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -208,7 +212,10 @@ namespace conetact
         throw;
       }
     if (joined.rank > 0)
-      leave_files_to_first();
+      {
+        leave_files_to_first();
+        std::signal(Interruption::forwarded, SIG_IGN); // the first one decides
+      }
   }
 
 
@@ -338,6 +345,63 @@ namespace conetact
 
 
 
+  namespace
+  {
+    volatile std::sig_atomic_t mpirun = 0, is_asked = 0;
+
+    /** A first Ctrl-C asks the first process to stop; all else ends mpirun,
+     * which ends its processes. */
+    void
+    pass_on(const int signal)
+    {
+      const bool asks = signal == SIGINT && is_asked == 0;
+      is_asked        = is_asked != 0 || signal == SIGINT ? 1 : 0;
+      kill(mpirun, asks ? Interruption::forwarded : SIGTERM);
+    }
+
+    /** The other ends of the run are told as one process tells them. */
+    [[noreturn]] void
+    end_with_mpirun()
+    {
+      int status = 0;
+      while (waitpid(mpirun, &status, 0) < 0 && errno == EINTR)
+        ;
+      constexpr int last_of_program = 3;
+      const int     code =
+        WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      if (is_asked != 0 && code > last_of_program)
+        Interruption::end_process();
+      std::_Exit(code);
+    }
+
+    /** The copy of the process that becomes mpirun returns. It is in a group of
+     * its own: a terminal sends Ctrl-C to all of a group, and mpirun takes it
+     * for the end. It does not outlive who waits for it. */
+    void
+    go_on_in_copy()
+    {
+      const pid_t waiting = getpid();
+      const pid_t copy    = fork();
+      if (copy < 0)
+        throw InputError("Option --processes: the system starts no process.");
+      if (copy == 0)
+        {
+          setpgid(0, 0);
+          prctl(PR_SET_PDEATHSIG, SIGTERM);
+          if (getppid() != waiting)
+            std::_Exit(Interrupted::exit_code);
+          return;
+        }
+      mpirun = copy;
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, pass_on) == SIG_IGN)
+          std::signal(signal, SIG_IGN);
+      end_with_mpirun();
+    }
+  } // namespace
+
+
+
   /* What the environment says to Open MPI others do not read: as many
      processes as are asked for, on whatever cores, also in a container. It says
      no more about an exit code than the program does. */
@@ -352,6 +416,7 @@ namespace conetact
       {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
     for (const auto &setting : settings)
       setenv(setting[0], setting[1], /*overwrite=*/0);
+    go_on_in_copy();
     const std::string number = std::to_string(n);
     const std::string program =
       std::filesystem::read_symlink("/proc/self/exe").string();

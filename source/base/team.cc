@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/index.h"
+#include "conetact/base/interruption.h"
 #include "conetact/base/process.h"
 
 #include <deal.II/base/exceptions.h>
@@ -233,6 +234,16 @@ namespace conetact
     std::vector<char> letters(text.begin(), text.end());
     team().broadcast(letters);
     text.assign(letters.begin(), letters.end());
+  }
+
+
+
+  bool
+  wants_to_stop()
+  {
+    bool is_wanted = Interruption::is_wanted();
+    first_decides(is_wanted);
+    return is_wanted;
   }
 
 

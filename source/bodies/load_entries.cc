@@ -306,9 +306,10 @@ namespace conetact::bodies
             const unsigned int  dim)
   {
     Load load;
-    load.name = name;
-    load.body = body;
-    load.kind = Load::Kind::body_force;
+    load.name    = name;
+    load.body    = body;
+    load.kind    = Load::Kind::body_force;
+    load.density = density;
     for (unsigned int d = 0; d < dim; ++d)
       load.value.emplace_back(all_digits(density * gravity[d]), name);
     return load;

@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/nodal_loads.h"
 
+#include "conetact/bodies/asked_load.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -122,6 +124,21 @@ namespace conetact::bodies
       if (load.body == body && load.kind == Load::Kind::temperature)
         sum += load.value.front()(p, t);
     return sum;
+  }
+
+
+
+  std::string
+  NodalLoads::asked(const std::size_t load) const
+  {
+    AssertIndexRange(load, loads.size());
+    const Largest &largest = of_loads[load];
+    if (largest.size == 0)
+      return "";
+    return what_is_asked(loads[load],
+                         *structures[loads[load].body],
+                         largest.time,
+                         {largest.force, largest.moment});
   }
 
 

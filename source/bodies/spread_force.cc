@@ -13,38 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace conetact::bodies
 {
   namespace
   {
-    using Function =
-      std::function<double(const Point<3> &, const Tensor<1, 3> &)>;
-
-    /** Of a function over the faces, as tractions are integrated. */
-    double
-    integral(const Structure   &body,
-             const BoundaryIds &ids,
-             const Function    &function)
-    {
-      constexpr unsigned int y = 1; // which bodies of revolution have as well
-      Eigen::VectorXd        f =
-        Eigen::VectorXd::Zero(body.n_nodes() * body.n_components());
-      body.add_traction(
-        ids,
-        [&](const Point<3> &p, const Tensor<1, 3> &normal) {
-          Tensor<1, 3> traction;
-          traction[y] = function(p, normal);
-          return traction;
-        },
-        f);
-      double sum = 0;
-      for (unsigned int node = 0; node < body.n_nodes(); ++node)
-        sum += f[node * body.n_components() + y];
-      return sum;
-    }
-
     using PrincipalAxes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
 
     PrincipalAxes
@@ -79,6 +52,28 @@ namespace conetact::bodies
       return result;
     }
   } // namespace
+
+  double
+  integral(const Structure    &body,
+           const BoundaryIds  &ids,
+           const FaceFunction &function)
+  {
+    constexpr unsigned int y = 1; // which bodies of revolution have as well
+    Eigen::VectorXd        f =
+      Eigen::VectorXd::Zero(body.n_nodes() * body.n_components());
+    body.add_traction(
+      ids,
+      [&](const Point<3> &p, const Tensor<1, 3> &normal) {
+        Tensor<1, 3> traction;
+        traction[y] = function(p, normal);
+        return traction;
+      },
+      f);
+    double sum = 0;
+    for (unsigned int node = 0; node < body.n_nodes(); ++node)
+      sum += f[node * body.n_components() + y];
+    return sum;
+  }
 
   SpreadForce::SpreadForce(const Structure   &of,
                            const BoundaryIds &on,

@@ -318,12 +318,14 @@ namespace conetact::iterative
       matrix.append(columns.data(), columns.size(), numbers);
       number.push_back(i);
     };
-    OpenRows<block> rows(placed.template elements_of_nodes<block>(),
-                         begin / block);
-    placed.for_each([&](const std::vector<int> &own, const double *element) {
-      rows.add(own, element, take);
-    });
-    rows.finish(take);
+    { // what rows have needed is given back before they are put in order
+      OpenRows<block> rows(placed.template elements_of_nodes<block>(),
+                           begin / block);
+      placed.for_each([&](const std::vector<int> &own, const double *element) {
+        rows.add(own, element, take);
+      });
+      rows.finish(take);
+    }
     return matrix.finish(number);
   }
 

@@ -6,6 +6,7 @@ In the plane, in space and of revolution, by both backends.
 """
 import itertools
 import math
+import re
 
 from support.scenes import box, contact, load, merge, simplices, support
 from support.vectors import cross, scaled
@@ -55,6 +56,7 @@ def of_block(dim):
         ("a pressure", load("pressure", DEEP, 1), None, at(right, (-DEEP * area, 0, 0))),
         ("a pressure that grows with depth", load("pressure", f"{DEEP} + {k}*({top!r} - {'xyz'[high]})", 1), None, at(sinking, (-whole, 0, 0))),
         ("a point force", load("point force", text, Point=inside), None, at(inside, f)),
+        ("a nodal force", load("nodal force", text, 1), None, at(right, scaled(5 * (1 if dim == 2 else 4), f))),
         ("a body force", load("body force", text), None, at(middle, scaled(mass / DENSITY, f))),
         ("gravity", None, down, at(middle, scaled(mass, down))),
         ("a centrifugal load", load("centrifugal", SPIN), None, at(middle, spun))]
@@ -73,6 +75,18 @@ def compare(laws, what, run, column, expected):
             math.dist(a, scaled(sign, three(b))) for a, b in zip(found(run, whose), expected)) / size, 1e-12)
 
 
+def told(laws, what, run, area, mass):
+    """What the log compares: totals are carried, areas and masses are those of the drawing to the digits that it prints."""
+    line = re.search("^Load (a|weight block): .*", (run.folder / "log.txt").read_text(), re.M)[0]
+    size = re.search(r"(on an area|on a mass) of (\S+)$", line)
+    if any(kind in what for kind in ("point force", "nodal force")):
+        laws.demand(f"  the log: {line}", "asked" not in line)
+    elif size:
+        laws.check(f"  the log: {line}", abs(float(size[2]) / (area if "area" in size[1] else mass) - 1), 1e-5)
+    else:
+        laws.demand(f"  the log: {line}", "asked: " in line and line.endswith(", carried"))
+
+
 def blocks(laws):
     for dim, backend in itertools.product((2, 3), BACKENDS):
         body = box((5, 4, 3)[:dim], SIZE[:dim], LOW[:dim])
@@ -83,7 +97,9 @@ def blocks(laws):
         for (mesh, block), (what, entries, gravity, expected) in itertools.product(meshes.items(), of_block(dim)):
             acts = {"Load a": entries} if gravity is None else {"Gravity": ", ".join(map(repr, gravity))}
             column = "load_a" if gravity is None else "load_weight_block"
-            compare(laws, f"{dim}D{mesh}, {backend}: {what}", laws.run({**scene, "Body block": block, **acts}), column, expected)
+            run, depth = laws.run({**scene, "Body block": block, **acts}), THICKNESS if dim == 2 else SIZE[2]
+            compare(laws, f"{dim}D{mesh}, {backend}: {what}", run, column, expected)
+            told(laws, what, run, SIZE[1] * depth, DENSITY * SIZE[0] * SIZE[1] * depth)
 
 
 def bearings(laws):
@@ -94,7 +110,9 @@ def bearings(laws):
         plate = {"Dimension": dim, "Body block": {"Mesh": mesh, "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
                  "Support left": support(0, "x, y, z"[:3 * dim - 2]), "Solver": {"Backend": backend}, "Output": {"VTU": 0},
                  "Load a": load("bearing", " ; ".join(map(repr, force)), 4 if dim == 2 else 6)}
-        compare(laws, f"{dim}D, {backend}: a bearing load", laws.run(plate, bounds=False), "load_a", at(middle, force))
+        run = laws.run(plate, bounds=False)
+        compare(laws, f"{dim}D, {backend}: a bearing load", run, "load_a", at(middle, force))
+        told(laws, "a bearing load", run, None, None)
 
 
 def tubes(laws):
@@ -104,6 +122,8 @@ def tubes(laws):
     # p(r) = 2 + r on the end, 2 + 3 (top - y) on the wall: no force along the axis
     grows = math.pi * 2 * (outer**2 - inner**2) + 2 * math.pi * (outer**3 - inner**3) / 3
     cases = [("a force", load("force", "0 ; -7", 3), -7), ("a force, rigid", load("force", "0 ; -7", 3, Point=(0, 4), Coupling="rigid"), -7),
+             ("a force at a point", load("force", "0 ; -7", 3, Point=(0, 4)), -7), ("a point force", load("point force", "0 ; -7", Point=(1.3, 1.1)), -7),
+             ("a nodal force", load("nodal force", "0 ; -7", 3), -7 * 6),
              ("a traction", load("traction", "0 ; 3", 3), 3 * end), ("a pressure", load("pressure", 3, 3), -3 * end),
              ("a pressure that grows with the radius", load("pressure", "2 + x", 3), -grows),
              ("a body force", load("body force", "0 ; -2"), -2 * volume), ("gravity", None, -DENSITY * GRAVITY * volume)]
@@ -116,6 +136,7 @@ def tubes(laws):
         for whose, sign in ((column, 1), ("support_left", -1)):
             laws.check(f"axisymmetric, {backend}: {what}, {'its sum' if sign == 1 else 'the support'}",
                        abs(run.increments[-1][f"{whose}_f_y"] / (sign * force) - 1), 1e-12)
+        told(laws, what, run, end, DENSITY * volume)
     for backend in BACKENDS:
         spinning(laws, backend)
 

@@ -107,6 +107,12 @@ namespace conetact::analysis
     stop_if_asked(const unsigned int next);
     [[noreturn]] void
     stop();
+    /** What is on disk and how to go on, a sentence. */
+    std::string
+    interrupted() const;
+    /** For a process that is ended without being asked. */
+    void
+    tell_progress() const;
     std::string
     name(const model::IncrementRecord &record) const override;
 

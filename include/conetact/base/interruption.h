@@ -22,11 +22,16 @@ namespace conetact
    * While it lives, a first SIGINT (Ctrl-C) is a wish, to be asked for where
    * work can stop; a second one ends the process at once. Where whoever started
    * the process has it ignore SIGINT, as nohup does, it goes on to do so.
+   *
+   * One of many processes is asked by another signal, which start_processes
+   * sends through mpirun. When the user stops mpirun itself, it ends its
+   * processes by SIGTERM within a second: the first one says what is on disk.
    */
   class Interruption
   {
   public:
-    Interruption();
+    /** Alone: there are no other processes. */
+    explicit Interruption(const bool is_alone);
     ~Interruption();
     Interruption(const Interruption &) = delete;
     Interruption &
@@ -38,6 +43,9 @@ namespace conetact
      * within a second is finished. */
     static bool
     is_urgent();
+    /** What to say where there is no time to ask, a sentence. */
+    static void
+    know(const std::string &what);
     /** Throws Interrupted: the wish is granted. */
     [[noreturn]] static void
     stop(const std::string &why);
@@ -45,8 +53,15 @@ namespace conetact
     [[noreturn]] static void
     end_process();
 
+    /** What asks one of many processes. */
+    static constexpr int forwarded = SIGUSR1;
+
   private:
-    struct sigaction before;
+    bool
+    ends_at_once() const;
+
+    const int        wish; ///< the signal
+    struct sigaction before_wish, before_end;
   };
 } // namespace conetact
 

@@ -86,8 +86,8 @@ namespace conetact
   ranks_of_mpirun();
 
   /**
-   * Goes on as n processes of mpirun with the same arguments. Throws
-   * InputError if there is no mpirun.
+   * Runs n processes of mpirun with the same arguments and ends as they do.
+   * Throws InputError if there is no mpirun, in a process that ends by it.
    */
   void
   start_processes(const unsigned int n, char *const arguments[]);

@@ -62,6 +62,11 @@ namespace conetact
   void
   first_decides(std::string &text);
 
+  /** Whether the run is to be interrupted: the first process has been asked.
+   * All processes of the team call this. */
+  bool
+  wants_to_stop();
+
   /** Throws AnalysisError on all processes of the team unless these numbers
    * are the same on each, to the last bit: arrays and how long they are. */
   void

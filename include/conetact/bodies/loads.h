@@ -43,7 +43,8 @@ namespace conetact::bodies
     BoundaryIds  ids;         ///< of kinds that have them
     Point<3>     point;       ///< point force; force: where it acts; of an axis
     Tensor<1, 3> axis;        ///< unit, of a centrifugal load
-    double       density = 0; ///< of its body, for that [mass/length^3]
+    double       density = 0; ///< of its body, for that and for a weight
+                              ///< [mass/length^3]
     /** Of a force or a moment that is spread. */
     std::shared_ptr<const SpreadForce> spread;
     /** Whether the faces of its boundary ids move as one with its point: it

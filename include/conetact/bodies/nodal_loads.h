@@ -80,6 +80,12 @@ namespace conetact::bodies
       return of_loads;
     }
 
+    /** What a load asks for when it is largest, compared with what the mesh
+     * carries: totals, or the area and the mass that it acts on. Empty for
+     * those of single nodes, of members and of initial strains. */
+    std::string
+    asked(const std::size_t load) const;
+
     /** Loads that were asked for, and those that had to be integrated. */
     unsigned int
     n_evaluations() const

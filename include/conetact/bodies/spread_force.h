@@ -6,10 +6,21 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <functional>
 #include <string>
 
 namespace conetact::bodies
 {
+  /** Of a point of a face and its outward unit normal. */
+  using FaceFunction =
+    std::function<double(const Point<3> &, const Tensor<1, 3> &)>;
+
+  /** Of a function over faces of a continuum, as tractions are integrated. */
+  double
+  integral(const Structure    &body,
+           const BoundaryIds  &ids,
+           const FaceFunction &function);
+
   /**
    * A force and a moment of given size on boundary ids, as a traction that is
    * linear in space: @f$F/A + \omega \times (x - c)@f$ with the centroid c of
