@@ -422,10 +422,11 @@ namespace conetact::solvers
   bool
   is_frictionless(const LinearRelation &relation, const Index i)
   {
-    // what is pressed by all of the load, whatever pulls at it
-    const double pressed      = 1 + std::max(relation.bond(i, 0, 0).value, 0.);
     const FrictionLimit least = relation.limit(i, 0, 0, 0);
-    return least.by_force <= 0 && least.value <= 0 &&
-           !(relation.limit(i, pressed, 0, 0).value > 0);
+    if (least.by_force > 0 || least.value > 0)
+      return false;
+    // where it is pressed by all of the load, whatever pulls at it
+    const double pressed = 1 + std::max(relation.bond(i, 0, 0).value, 0.);
+    return !(relation.limit(i, pressed, 0, 0).value > 0);
   }
 } // namespace conetact::solvers
