@@ -222,7 +222,9 @@ namespace conetact::iterative
         own.contact.first.push_back(own.contact.first.back() +
                                     given.contact.first[at(i) + 1] -
                                     given.contact.first[at(i)]);
-      own.contact.mu     = given.contact.mu(part.nodes);
+      own.contact.mu = given.contact.mu(part.nodes);
+      // Nodes keep the numbers of the scene, by which these are asked: only
+      // unknowns are counted anew.
       own.surface        = given.surface;
       own.side           = given.side;
       own.position       = given.position;

@@ -174,6 +174,8 @@ namespace conetact::iterative
                           ml_parameters(*own.matrix, own.modes, block));
   }
 
+  /* ML computes in double precision, and all that is around it in single: GMRES
+     is flexible, and its outer residual tells what is accurate. */
   template <int block>
   void
   TrilinosLevels<block>::correct(const FloatVector &r, FloatVector &x)
