@@ -263,6 +263,9 @@ namespace conetact::pairing
     return Meeting{side * distance, normal};
   }
 
+  /* A face, or an edge or corner where faces meet: what opposes the slave more
+     is met. Where the node touches an edge, its direction from the foot is
+     rounding, and the cone of normals there decides. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet(Feature                          feature,
                       const Point<3>                  &p,
@@ -296,6 +299,8 @@ namespace conetact::pairing
     return touches || cosine(edge) > cosine(over) + round_off ? edge : over;
   }
 
+  /* Whether a foot behind its face is an interference, and not the far side of
+     the body: any foot in front of its face is allowed. */
   bool
   MasterSurface::may_be_behind(const Point<3>      &p,
                                const double         gap,
