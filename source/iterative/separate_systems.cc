@@ -194,6 +194,8 @@ namespace conetact::iterative
         part.that_have = [number, all = elements.that_have](
                            const std::vector<bool> &unknowns) {
           std::vector<bool> among_all(number->size(), false);
+          // A part knows its own unknowns only: what it asks for is told in
+          // those of all, by which elements are found.
           for (std::size_t q = 0; q < number->size(); ++q)
             among_all[q] = (*number)[q] >= 0 && unknowns[at((*number)[q])];
           return part_of(all(among_all), number);

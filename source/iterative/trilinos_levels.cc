@@ -76,6 +76,8 @@ namespace conetact::iterative
                     values,
                     /*elide_zero_values=*/false);
       });
+      // ML refers to this matrix: it stays, and each state writes other numbers
+      // into the same pattern.
       matrix->compress(dealii::VectorOperation::insert);
     }
 
