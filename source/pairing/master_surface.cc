@@ -327,8 +327,9 @@ namespace conetact::pairing
                       const std::vector<Tensor<1, 3>> &slave_normals,
                       const Limits                    &limits) const
   {
-    // Most feet are near. The nearest foot of a ball is the nearest of all, and
-    // for what has none in these balls a loop over all faces is cheap.
+    // Most feet are near, and the nearest foot of a ball is the nearest of all.
+    // What has none in these balls takes a loop over all faces: many such nodes
+    // take as many times longer as there are faces.
     for (const double faces_away : {1., 4., 16.})
       if (const double radius = faces_away * typical_size;
           radius < limits.reach)
