@@ -33,6 +33,9 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* The map u = B p of each body by itself: what supports hold is left out of
+     p, what hangs follows its masters. Contacts do not change it where bodies
+     meet each other: K_b stays when they slide, and only H is made anew. */
   BodyCoordinates::BodyCoordinates(const model::Bodies &b,
                                    const Coordinates   &c,
                                    const ContactPoints *points)
@@ -70,6 +73,9 @@ namespace conetact::contact
           }
   }
 
+  /* In stiffness form the unknowns of a contact node are those of its contact,
+     in the axes of normal and tangents: then K of the node is that of the
+     contact. */
   void
   BodyCoordinates::take(const ContactPoints &points)
   {
@@ -110,6 +116,8 @@ namespace conetact::contact
     };
     if (number < point_of_node.size() && point_of_node[number] != nullptr)
       {
+        // Directions of the contact come last, in the order in which solvers
+        // want them; those without friction are condensed with the rest.
         add(point_of_node[number]->frictionless);
         add(point_of_node[number]->directions);
       }

@@ -124,6 +124,8 @@ namespace conetact::contact
     kept = .5 * (kept + other);
   }
 
+  /* The load in the rows of y: of all reactions of what is bound, as none is
+     chosen yet, and of the motions that ties resist. */
   Eigen::VectorXd
   BoundUnknowns::bound_part(const VectorXd &load) const
   {
@@ -183,6 +185,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* (r_c, r_t, a) from what solvers know, (r_c, a_f): all motions are those
+     that are free and those that ties resist, a = N a_f + M a_t. */
   Eigen::VectorXd
   BoundUnknowns::complete(const VectorXd &unknowns,
                           const VectorXd &bound_load) const

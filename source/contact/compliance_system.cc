@@ -72,6 +72,8 @@ namespace conetact::contact
     for (const CondensedBodies::Part &part : bodies.parts())
       for (const unsigned int body : part.bodies)
         {
+          // H P_b H^T needs P_b at the unknowns that contacts see, which are
+          // retained: columns of H elsewhere are empty.
           const SparseMatrix all =
             H.middleCols(own.begin(body), bodies.n_own(body));
           Triplets entries;
@@ -81,6 +83,8 @@ namespace conetact::contact
               entries.emplace_back(it.row(), static_cast<Index>(k), it.value());
           SparseMatrix rows(H.rows(), static_cast<Index>(part.retained.size()));
           rows.setFromTriplets(entries.begin(), entries.end());
+          // Rows have few entries: H P costs as much as P has columns for each
+          // of them, and the product with H^T no more.
           const MatrixXd half = rows * part.element->flexibility();
           W.noalias() += half * rows.transpose();
         }
@@ -134,7 +138,9 @@ namespace conetact::contact
   {
     auto system   = std::make_shared<solvers::ContactSystem>(points.layout());
     const Index n = n_contact(), n_bound = points.n_bound_unknowns();
-    const Index k     = motions.n_free();
+    const Index k = motions.n_free();
+    // Motions stand behind the contact unknowns, each as a node of one unknown:
+    // what solvers find there are amounts a in the place of r.
     system->form      = solvers::Form::compliance;
     system->n_motions = k;
     for (Index j = 0; j < k; ++j)

@@ -75,6 +75,8 @@ namespace conetact::contact
       }
   }
 
+  /* Bodies that their contacts hold: K_FF is positive definite, and the Schur
+     complement of the retained unknowns is all that is wanted. */
   void
   CondensedBodies::condense(const condensed::Condenser &condenser)
   {
@@ -87,6 +89,9 @@ namespace conetact::contact
     });
   }
 
+  /* Bodies that may float: P_b stands for the inverse, with the rigid motions
+     of the body told in closed form. From a factor they would come with the
+     rounding of K. */
   void
   CondensedBodies::condense(
     const condensed::Condenser                               &condenser,
@@ -132,6 +137,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* The largest difference over the largest entry: both come from other orders
+     of elimination, and 1e-15 to 1e-12 is what is left between them. */
   std::vector<StiffnessDifference>
   CondensedBodies::compare(const condensed::Condenser &one,
                            const condensed::Condenser &other) const

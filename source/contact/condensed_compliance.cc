@@ -85,6 +85,8 @@ namespace conetact::contact
     return true;
   }
 
+  /* Cuts that are locked are motions less: R and Y are found again, and W stays
+     as it is. */
   bool
   CondensedCompliance::see_motions()
   {
@@ -95,6 +97,8 @@ namespace conetact::contact
     return true;
   }
 
+  /* w = P b of each body. P is an inverse up to a motion of the body, which
+     drops out: forces balance, and motions are unknowns of their own. */
   Eigen::MatrixXd
   CondensedCompliance::deform(const MatrixXd &forces) const
   {
@@ -146,6 +150,9 @@ namespace conetact::contact
     set_load(all, load);
   }
 
+  /* Solvers see the load without what is bound, and what bound reactions do in
+     answer to it is part of that. The bound part is kept, for they are computed
+     from it in the end. */
   void
   CondensedCompliance::set_load(const VectorXd &all, LoadCase &load) const
   {
@@ -260,6 +267,8 @@ namespace conetact::contact
     return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
   }
 
+  /* `unbalanced` is K w - f - H^T r: its negative is the load of the
+     correction. */
   LoadCase
   CondensedCompliance::reduce_unbalanced(const VectorXd &unbalanced) const
   {

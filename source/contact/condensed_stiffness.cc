@@ -96,6 +96,8 @@ namespace conetact::contact
       stiffness_scale = std::exp2(std::round(std::log2(mean)));
   }
 
+  /* What the graph of K tells without numbers: bytes and operations of the
+     factor, from its order of elimination. */
   condensed::FactorEstimate
   CondensedStiffness::estimate(const ElasticSystem        &elastic,
                                const ContactPoints        &points,
@@ -125,6 +127,7 @@ namespace conetact::contact
         MatrixXd S = part.element->take_stiffness();
         if (S.cols() == n && std::is_sorted(rows.begin(), rows.end()))
           return S; // the usual case, and a large matrix
+        // Several bodies have blocks of their own: nothing couples them.
         if (K.size() == 0)
           K.setZero(n, n);
         // Retained unknowns ascend in a body, contact unknowns go contact by
@@ -241,6 +244,8 @@ namespace conetact::contact
     return change;
   }
 
+  /* One step of iterative refinement: the same factor answers what the
+     displacements left unbalanced. */
   VectorXd
   CondensedStiffness::correction(const LoadCase &change,
                                  const VectorXd &primal) const
@@ -265,6 +270,7 @@ namespace conetact::contact
     return solvers::largest(load.f);
   }
 
+  /* In stiffness form f has forces along contact unknowns already. */
   VectorXd
   CondensedStiffness::contact_load(const solvers::ContactProblem &problem) const
   {

@@ -30,6 +30,9 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* A node has three unknowns and can be turned to one contact only. All other
+     contacts of it are written as rows beside the system (FurtherContacts).
+     Springs act along a line that is no axis of a node. */
   ContactAxes::ContactAxes(const ContactPoints &points)
   {
     using Node = std::pair<unsigned int, unsigned int>;

@@ -66,6 +66,8 @@ namespace conetact::contact
     Eigen::Index     i      = 0;
     for (const ContactPoint &point : model->points)
       {
+        // A bond is that of nodes which are closed at the start. Others have
+        // opened by as much as can be: no law of a bond holds there.
         initial_gap[i] = point.node->gap;
         if (point.node->gap > closed * point.node->spacing)
           laws_know.opened[i] = pairing::never_closed;
@@ -115,6 +117,7 @@ namespace conetact::contact
     return sum;
   }
 
+  /* g = g_0 + u_n, and what has worn off opens it as well. */
   Eigen::VectorXd
   ContactHistory::gaps() const
   {
@@ -173,6 +176,8 @@ namespace conetact::contact
     archive.fill("contact/gap", gap);
     std::vector<Tensor<1, 3>> now = directions_of(model->points), then(now);
     archive.fill("contact/directions", then);
+    // Gaps are compared over the largest of them, as lengths have no other
+    // scale here; directions are unit vectors.
     double turned = conetact::solvers::largest(gap - initial_gap) /
                     std::max(conetact::solvers::largest(gap), 1e-300);
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -200,6 +205,8 @@ namespace conetact::contact
     model->elasticity().restore(archive.get("contact/elastic"), q, elastic);
   }
 
+  /* Another Elasticity has other unknowns: its start is made from the
+     displacements that contacts remember. */
   void
   ContactHistory::see_elasticity()
   {
@@ -217,6 +224,8 @@ namespace conetact::contact
     problem.system = bodies.system();
     problem.laws   = load.laws;
     problem.gap    = gaps();
+    // What is rounding beside the largest force so far is none: a load that has
+    // almost gone must not be judged by itself.
     problem.reference_force =
       std::max(rounding_of_past * largest, bodies.reference_force(load));
     bodies.write(load, offset_at(load), elastic, problem);
@@ -224,6 +233,8 @@ namespace conetact::contact
     return problem;
   }
 
+  /* Where an increment starts nothing has slipped in it, v = (0, g). States and
+     reactions are those of its start, for most nodes keep theirs. */
   solvers::ContactState
   ContactHistory::start() const
   {
@@ -239,6 +250,8 @@ namespace conetact::contact
     return state;
   }
 
+  /* Frames have taken what bodies that have one moved as a whole: only the
+     others have it in their motions. */
   Eigen::VectorXd
   ContactHistory::nearby(const Eigen::VectorXd &w,
                          Eigen::VectorXd        motions) const
@@ -303,6 +316,7 @@ namespace conetact::contact
     if (laws != nullptr)
       {
         laws_know.slipped += laws->slips(end);
+        // Both are of this increment: what wears is a slip times a pressure.
         laws_know.worn += laws->wear(end);
         laws_know.packed = laws_know.packed.cwiseMax(laws->pressures(end));
       }

@@ -170,6 +170,7 @@ namespace conetact::contact
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical;
     double                far        = frames.largest_way();
+    // A ground that moves by g pulls by K_s g, wherever the body is.
     if (elastic.has_springs())
       all += elastic.ground_forces(t);
     if (!placement.isZero(0))
@@ -210,6 +211,8 @@ namespace conetact::contact
       t);
   }
 
+  /* v = H u of all sides, less the motion of obstacles, without gaps: what a
+     history remembers when nodes have met others. */
   Eigen::VectorXd
   ContactModel::relative_displacements(const Eigen::VectorXd &u,
                                        const double           t) const
@@ -233,6 +236,8 @@ namespace conetact::contact
     return coordinates.at_node(u, body, node);
   }
 
+  /* Amounts of all modes: placements are those of supports, free motions come
+     on top. */
   Eigen::VectorXd
   ContactModel::amounts(const Eigen::VectorXd &placement,
                         const Eigen::VectorXd &a) const
@@ -249,6 +254,8 @@ namespace conetact::contact
     std::string hint;
     if (error.node)
       {
+        // A pivot that vanishes names a node: the piece around it moves. Nodes
+        // at one place that are not joined are what most such pieces come from.
         const auto [body, node] = coordinates.locate(*error.node);
         text += ": what surrounds the node at " +
                 to_text(bodies.structures[body]->position(node)) +
@@ -286,6 +293,8 @@ namespace conetact::contact
     return estimate_condensed(*this, condenser);
   }
 
+  /* Factors of the old Elasticity give their memory back before there is
+     another one; what they cost is remembered. */
   void
   ContactModel::solve_by(const ElasticityRow &other)
   {
@@ -334,6 +343,8 @@ namespace conetact::contact
     turn_ties(bodies, nodes);
     if (std::string why = points.relink(std::move(nodes), times); !why.empty())
       return why;
+    // Free motions are those of supports and ties, which stay; what contacts
+    // see of them turns with normals.
     motions.see_contacts(points);
     // The iterative Elasticity has the axes of contacts in its unknowns: where
     // these turn its start is taken over as a deformation.

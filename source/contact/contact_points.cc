@@ -149,6 +149,7 @@ namespace conetact::contact
 
 
 
+  /* Whether any node is found again as bodies move. */
   bool
   ContactPoints::slide() const
   {
@@ -192,6 +193,8 @@ namespace conetact::contact
 
 
 
+  /* Coefficients of this increment, for all that asks the layout: existence,
+     names of mechanisms, methods with cones. */
   void
   ContactPoints::set_friction(const Eigen::VectorXd &mu)
   {
@@ -434,6 +437,8 @@ namespace conetact::contact
 
 
 
+  /* What is bound closes its gap at once where it is told to (Gap): v_t = -g.
+     Other ties keep the gap that is drawn, v_t = 0. */
   Eigen::VectorXd
   ContactPoints::gaps_to_close() const
   {

@@ -122,6 +122,8 @@ namespace conetact::contact
         place(node, last[i]);
         if (!last_u)
           continue;
+        // Increments of tables are differences: both ends must be told in one
+        // frame, that of the increment.
         const Tensor<1, 3> v = relative_displacement(node, at, last_t);
         last[i].u            = in_frame(last[i], v);
         other_before[i]      = in_frame(last[i], other_tangential(point, v));
@@ -193,6 +195,7 @@ namespace conetact::contact
     return rows;
   }
 
+  /* Row 0 of a run, without displacements and forces: only gaps differ. */
   std::vector<model::ContactRow>
   ContactRows::undeformed() const
   {
@@ -203,6 +206,8 @@ namespace conetact::contact
     return rows;
   }
 
+  /* Places, normals and areas are made anew from the scene; what the next
+     increment is a change from must come from the file. */
   void
   ContactRows::save(Archive &archive) const
   {

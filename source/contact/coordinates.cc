@@ -81,8 +81,9 @@ namespace conetact::contact
     own = &turned;
   }
 
-  /* Supports hold its node along directions of the point, or across them.
-     Bodies with ties do not turn. */
+  /* Supports hold its node along directions of the point, or across them. These
+     are directions in space, taken for those in frames: that holds as long as
+     frames have not turned. */
   void
   Coordinates::bind(const ContactPoint &point)
   {
@@ -239,8 +240,9 @@ namespace conetact::contact
     Tensor<1, 3> along;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
       along += point.directions[k][c] * point.dual[k];
-    const pairing::ContactNode &own       = *point.node;
-    const Tensor<1, 3>          in_master = bodies.in_frame(own.master, along);
+    const pairing::ContactNode &own = *point.node;
+    // The dual directions are in space, and the master has its own frame.
+    const Tensor<1, 3> in_master = bodies.in_frame(own.master, along);
     for (const auto &[node, weight] : own.masters)
       for (unsigned int d = 0; d < bodies.dim; ++d)
         if (in_master[d] != 0 && !(own.master == own.body && node == own.node))

@@ -9,6 +9,11 @@ namespace conetact::contact
 {
   namespace
   {
+    /**
+     * Whether rows of a node need no other nodes: those that hang, points of
+     * rigid bodies and frames take sums over nodes that other processes may
+     * have.
+     */
     bool
     stand_alone(const model::Bodies &bodies, const Coordinates &plain)
     {
@@ -60,6 +65,8 @@ namespace conetact::contact
 
 
 
+  /* A column for each process: all of them add up and compare in the order of
+     ranks, so that results are the same to the last bit. */
   Eigen::MatrixXd
   DofShare::columns(const Array &own) const
   {

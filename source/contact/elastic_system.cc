@@ -96,6 +96,8 @@ namespace conetact::contact
   {
     if (nodes == nullptr)
       return true;
+    // Springs are few beside elements: they are looked through, not sorted by
+    // nodes.
     const unsigned int body = bodies.supports[spring.support].body;
     const auto         n_c  = bodies.structures[body]->n_components();
     const auto         from = static_cast<unsigned int>(dof_offset[body]);
@@ -175,6 +177,7 @@ namespace conetact::contact
   {
     AssertDimension(u.size(), dof_offset.back());
     AssertDimension(nodes.size(), bodies.structures.size());
+    // One body alone has all dofs, and needs no copies of its vectors.
     if (bodies.structures.size() == 1 && !bodies.is_at_rest(0))
       {
         Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size());

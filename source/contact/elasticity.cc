@@ -71,6 +71,8 @@ namespace conetact::contact
     if (norm <= same_load * size)
       return load;
 
+    // Loads that go on changing their direction never come back to an early
+    // one.
     if (basis.size() == largest_basis)
       basis.clear();
     Known known;

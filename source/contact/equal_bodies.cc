@@ -84,6 +84,8 @@ namespace conetact::contact
       {
         if (own.begin(body) == own.end(body))
           continue;
+        // Bodies of other sizes differ at once, and of the others most are
+        // equal: few are compared in full.
         const auto group =
           std::find_if(groups.begin(), groups.end(), [&](const auto &other) {
             return equal(other[0], body);

@@ -131,6 +131,8 @@ namespace conetact::contact
     AssertDimension(before.size(), points.size());
     const auto lets_in = [&](const std::size_t i) {
       const pairing::ContactNode &node = *points[i].node;
+      // [force]: r_n / area < p_fluid, without a division by an area that may
+      // be 0.
       const double force = node.fluid->pressure(t) * node.covered_area();
       return before[i] || r[points[i].normal()] < force;
     };
@@ -139,6 +141,8 @@ namespace conetact::contact
       if (lets_in(i))
         front.push_back(i);
     std::vector<bool> reached(points.size(), false);
+    // A node that is wet once stays so within an increment (`before`): nodes
+    // are only added, and the loop of increments over this ends.
     while (!front.empty())
       {
         const std::size_t i = front.back();

@@ -41,6 +41,8 @@ namespace conetact::contact
           if (weight != 0)
             closed.sides.push_back({{body, number}, weight});
         });
+      // What sticks may change all components of its force, as long as the cone
+      // holds them.
       if (state == solvers::NodeState::stick)
         closed.forces = point.dual;
       if (point.node->is_bound())
@@ -109,6 +111,8 @@ namespace conetact::contact
               waiting.push_back(i);
               seen[i] = true;
             }
+          // Two contacts of one node are in one group, and so is what shares a
+          // node with either.
           while (!waiting.empty())
             {
               const Closed &closed = all[waiting.back()];
@@ -146,6 +150,8 @@ namespace conetact::contact
           for (const auto &[node, weight] : closed->sides)
             row_of.emplace(node, 3 * static_cast<Index>(row_of.size()));
         }
+      // Rows of H^T: forces along x, y and z on each node. In the plane one of
+      // three is zero, and the rank is the same.
       const auto n_rows = 3 * static_cast<Index>(row_of.size());
       if (n_columns > n_rows)
         return true;

@@ -37,6 +37,8 @@ namespace conetact::contact
         const auto  begin = std::find(of_body.begin(), of_body.end(), body);
         const Index k     = std::count(of_body.begin(), of_body.end(), body);
         own_motions.first = begin - of_body.begin();
+        // Rigid bodies have no own unknowns: R has no rows, and add_to() leaves
+        // them to CondensedCompliance::assemble_all().
         own_motions.R.resize(n, k);
         own_motions.spring_forces.setZero(n, k);
         own_motions.Y = own_motions.spring_forces;
@@ -116,6 +118,8 @@ namespace conetact::contact
     });
   }
 
+  /* What imbalance() sums up, in magnitudes: the rounding of that sum is a part
+     of this one. */
   Eigen::VectorXd
   FreeMotions::size_of_terms(const VectorXd &forces) const
   {
@@ -124,6 +128,8 @@ namespace conetact::contact
     });
   }
 
+  /* R^T f without Y: by rigid motions alone, where nothing may be carried by
+     foundations. */
   Eigen::VectorXd
   FreeMotions::resultants(const VectorXd &forces) const
   {
@@ -144,6 +150,7 @@ namespace conetact::contact
     return sum;
   }
 
+  /* K_s R a: by what foundations push back against motions a. */
   Eigen::VectorXd
   FreeMotions::resistance(const VectorXd &amounts) const
   {

@@ -62,6 +62,8 @@ namespace conetact::contact
                 std::move(obstacle.displacement[c]));
           }
       obstacle.displacement.clear(); // the support's from here on
+      // Components are x, y, z, rx, ry, rz: in the plane only the last one of
+      // the rotations is left, about z.
       for (unsigned int c = bodies.dim == 2 ? 5 : 3; c < 6; ++c)
         if (!obstacle.free.components.at(c))
           support.rotations.push_back(
@@ -94,6 +96,7 @@ namespace conetact::contact
     return made;
   }
 
+  /* Of each body, and behind the last one their number. */
   std::vector<Eigen::Index>
   first_dofs(const model::Bodies &bodies)
   {

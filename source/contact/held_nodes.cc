@@ -27,6 +27,8 @@ namespace conetact::contact
       std::vector<bool> result;
       for (const pairing::ContactNode &node : bodies.contact_nodes)
         {
+          // What supports and ties hold together: a normal may be held by the
+          // sum of both, and by neither alone.
           std::vector<Tensor<1, 3>> basis; // orthonormal
           for (const Tensor<1, 3> &e : held[{node.body, node.node}])
             add_direction(e, basis);
@@ -131,6 +133,8 @@ namespace conetact::contact
             takers[i] = j; // the nearest on the same side of an edge
     std::vector<pairing::ContactNode> left;
     for (std::size_t i = 0; i < nodes.size(); ++i)
+      // All takers are chosen before anything is given. A node that is held
+      // itself takes nothing, so that nothing is given twice.
       if (takers[i] != none)
         take(nodes[takers[i]], nodes[i]);
     for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -86,6 +86,9 @@ namespace conetact::contact
     return result;
   }
 
+  /* By this a mean is divided where it is the unknown of its node
+     (Coordinates::append_own()): it must be far from 0, which
+     has_tangled_means() asks for. */
   double
   HierarchicalMeans::own_weight(const pairing::ContactNode &node) const
   {

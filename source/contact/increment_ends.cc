@@ -42,6 +42,8 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* Displacements of the sides without what the layer between them closes or
+     gives way by: the slip that laws of friction and wear count. */
   Eigen::VectorXd
   IncrementLaws::seen(const std::size_t            i,
                       const solvers::ContactState &end) const
@@ -85,6 +87,9 @@ namespace conetact::contact
     return mu;
   }
 
+  /* Ways of increments add up to the way so far, s of Friction coefficient.
+     What sticks has none, whatever the rounding of v; a bond that has opened is
+     shorn as well. */
   Eigen::VectorXd
   IncrementLaws::slips(const solvers::ContactState &end) const
   {
@@ -116,6 +121,9 @@ namespace conetact::contact
     return depth;
   }
 
+  /* Of the end of an increment: the largest pressure so far is what a layer
+     unloads from. Only what is accepted is asked for a layer that falls; on the
+     way to it iterates may press by anything. */
   Eigen::VectorXd
   IncrementLaws::pressures(const solvers::ContactState &end) const
   {

@@ -127,6 +127,8 @@ namespace conetact::contact
       }
   }
 
+  /* A copy that wears by a part of the coefficient: an increment solved in
+     halves tells how far Wear acceleration is off. */
   std::shared_ptr<const IncrementLaws>
   IncrementLaws::with_wear(const double part) const
   {
@@ -136,6 +138,8 @@ namespace conetact::contact
     return result;
   }
 
+  /* What the law of a node sees at an iterate: p = r_n / area, v = |du_t| / dt;
+     place, time, temperature and the way so far are those of the increment. */
   Situation
   IncrementLaws::situation(const std::size_t i,
                            const double      r_n,
@@ -232,6 +236,9 @@ namespace conetact::contact
       return rest(i, ds, g);
     };
     sum.value += c * left(slip, gap);
+    // The rest of a bond is piecewise linear in opening and slip. A difference
+    // over a step that is rounding to both is its slope to the right, from a
+    // kink on as well.
     const double h = step_of(i);
     sum.by_slip += c * (left(slip + h, gap) - left(slip, gap)) / h -
                    sum.by_force * pulled.by_slip;
@@ -349,6 +356,7 @@ namespace conetact::contact
              law.rest(std::max(opened, gap), slipped + slip, least);
   }
 
+  /* T a (1 - w / l), of which less is left where an opening closes again. */
   double
   IncrementLaws::pull(const std::size_t i,
                       const double      slip,
@@ -382,6 +390,8 @@ namespace conetact::contact
             (pull(i, slip, gap + h) - now) / h};
   }
 
+  /* Methods that need a second-order cone take constant coefficients only: no
+     bond, no ellipse whose aspect varies, and no mu of p or v. */
   bool
   IncrementLaws::has_cones() const
   {
@@ -446,6 +456,8 @@ namespace conetact::contact
     return most;
   }
 
+  /* A bound of mu at any pressure and speed, by intervals: where even that
+     holds no load the load has no equilibrium. */
   Eigen::VectorXd
   IncrementLaws::largest_coefficients() const
   {

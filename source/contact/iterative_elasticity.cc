@@ -173,6 +173,8 @@ namespace conetact::contact
     return u;
   }
 
+  /* The transpose of expand_bound(): forces along what is bound are the
+     reactions that hold it. */
   VectorXd
   IterativeElasticity::restrict_bound(const VectorXd &forces) const
   {
@@ -312,6 +314,8 @@ namespace conetact::contact
     return without_motion(coordinates.expand(elastic_part(primal)));
   }
 
+  /* What nothing resists is held at one unknown for each motion (find_pins()),
+     by an arbitrary amount: it is no deformation. */
   VectorXd
   IterativeElasticity::without_motion(VectorXd w) const
   {

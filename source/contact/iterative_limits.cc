@@ -37,6 +37,8 @@ namespace conetact::contact
     {
       Nodes nodes;
       for (const ContactPoint *point : points)
+        // Two bound points of a node would be two sets of axes. Of other
+        // contacts ContactAxes has chosen one.
         if (!nodes.insert({point->node->body, point->node->node}).second)
           return point->node;
       return nullptr;
@@ -101,6 +103,10 @@ namespace conetact::contact
       return std::any_of(with_axes.begin(), with_axes.end(), is_tangled);
     }
 
+    /**
+     * Along unit vectors 1 - cos is half the square of the angle: 1e-12 stands
+     * for about 1e-6 rad.
+     */
     bool
     is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
     {
@@ -175,6 +181,7 @@ namespace conetact::contact
 
 
 
+  /* Sentences go on after "Backend = iterative": what comes first is told. */
   std::string
   why_not_iterative(const model::Bodies &bodies,
                     const NodeRules     &supports,

@@ -41,11 +41,17 @@ namespace conetact::contact
               u[first + c] = axis[dim == 2 ? 2 : c - dim];
           }
       VectorXd mode = coordinates.values(u);
+      // Levels orthogonalise modes against each other: of one size, none is
+      // taken for rounding. Where nothing is free a mode is zero.
       mode /= std::max(mode.norm(), 1e-300);
       return mode;
     }
   } // namespace
 
+  /* The near null space for aggregation: all bodies together, as if joined.
+     About the mean of all nodes turns are nearly orthogonal to translations.
+     Functions make them when asked, one at a time, for each is as long as all
+     unknowns. */
   std::vector<std::function<VectorXd()>>
   common_motions(const model::Bodies &bodies, const Coordinates &coordinates)
   {

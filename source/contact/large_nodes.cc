@@ -87,6 +87,8 @@ namespace conetact::contact
       std::iota(group.begin(), group.end(), 0);
       for (const auto &[who, pair] : pairs)
         {
+          // Groups are united by their smaller number; as many passes over all
+          // bodies as there are pairs are little work beside elements.
           const unsigned int from =
                                std::max(group[who.first], group[who.second]),
                              to = std::min(group[who.first], group[who.second]);
@@ -149,6 +151,8 @@ namespace conetact::contact
 
 
 
+  /* The diagonal of K without assembling K. [force/length]; of rotations [force
+     x length] */
   VectorXd
   diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs)
   {
@@ -234,6 +238,8 @@ namespace conetact::contact
 
 
 
+  /* Which nodes the smoother solves together, as a surface, and which are
+     factorised as a system of their own. */
   SpecialNodes
   special_nodes(const ElasticSystem &elastic,
                 const Coordinates   &coordinates,

@@ -24,6 +24,7 @@ namespace conetact::contact
     start.push_back(entries.size());
   }
 
+  /* u = C q: displacements of all dofs from unknowns. */
   Eigen::VectorXd
   LinearMap::expand(const Eigen::VectorXd &q) const
   {
@@ -40,6 +41,7 @@ namespace conetact::contact
     return u;
   }
 
+  /* C^T f: forces on unknowns do the same work as those on all dofs. */
   Eigen::VectorXd LinearMap::restrict(const Eigen::VectorXd &f) const
   {
     AssertDimension(f.size(), n_rows());

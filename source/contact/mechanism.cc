@@ -75,6 +75,9 @@ namespace conetact::contact
 
 
 
+  /* The velocity is over its largest component: parts of it compare with 1.
+     Nodes are told by what they do where they touch, as those that are open
+     anyway say nothing of how the body moves. */
   Mechanism
   name_mechanism(const ContactModel      &model,
                  const Eigen::VectorXd   &velocity,

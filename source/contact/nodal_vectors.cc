@@ -32,6 +32,7 @@ namespace conetact::contact
 
 
 
+  /* Bodies are few: they are walked through. */
   std::pair<unsigned int, unsigned int>
   NodalVectors::locate(const unsigned int node) const
   {
@@ -79,6 +80,7 @@ namespace conetact::contact
 
 
 
+  /* From frames to space: u = d + (Q - 1) (X - c) + Q w at each node. */
   Eigen::VectorXd
   NodalVectors::displacements(Eigen::VectorXd u) const
   {
@@ -92,6 +94,7 @@ namespace conetact::contact
 
 
 
+  /* From space to frames, the reverse of displacements(). */
   Eigen::VectorXd
   NodalVectors::in_frames(Eigen::VectorXd u) const
   {

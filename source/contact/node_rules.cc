@@ -63,6 +63,8 @@ namespace conetact::contact
     orthonormal.push_back(rest / rest.norm());
   }
 
+  /* All directions that supports hold each node along, as they are: several
+     supports may name the same one. Foundations hold nothing, they resist. */
   SupportedNodes
   supported_nodes(const model::Bodies &bodies)
   {
@@ -104,6 +106,9 @@ namespace conetact::contact
     return basis;
   }
 
+  /* In a plane of symmetry a normal must lie in the plane, or the support would
+     hold a part of the gap. Normals of facets miss it by their angle; those
+     that miss by more are not meant, and are refused as oblique. */
   void
   align_with_supports(const model::Bodies               &bodies,
                       std::vector<pairing::ContactNode> &nodes)
@@ -196,6 +201,8 @@ namespace conetact::contact
     check_redundant(times);
   }
 
+  /* Rules are sorted by body and node: a bisection, as elements and contacts
+     ask often. */
   const NodeRule *
   NodeRules::find(const unsigned int body, const unsigned int node) const
   {
@@ -275,6 +282,8 @@ namespace conetact::contact
     return bodies.supports[held.support].rotations[held.rotation].angle(p, t);
   }
 
+  /* What supports prescribe along an orthonormal direction, a sum over the
+     supports that it is made of. */
   double
   NodeRules::displacement(const HeldDirection &held,
                           const Point<3>      &p,

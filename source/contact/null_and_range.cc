@@ -18,6 +18,8 @@ namespace conetact::contact
 
 
 
+  /* V_0 with gram V_0 = 0, and V, the pseudo-inverse V L^-1 V^T: of a matrix of
+     few rows, so that all eigenvalues are asked for. */
   NullAndRange
   split(const Eigen::MatrixXd &gram)
   {

@@ -116,6 +116,7 @@ namespace conetact::contact
     std::vector<Eigen::RowVectorXd> opposed, bounded;
     std::vector<double>             rooms;
     const auto bound = [&](const Eigen::RowVectorXd &row, const double r) {
+      // A row that has no room may still become larger: gaps may open.
       bounded.push_back(row);
       rooms.push_back(std::max(0., r));
     };
@@ -139,6 +140,7 @@ namespace conetact::contact
           }
         opposed.push_back(seen.row(n));
         const bool bonded = points[i].node->bond != nullptr;
+        // Without friction the tangents are free: nothing opposes a slip.
         if (points[i].mu == 0 && !bonded)
           continue;
         // The slip may become longer or shorter along its direction, not turn:
@@ -175,6 +177,8 @@ namespace conetact::contact
     rows =
       stacked(bounded, seen.cols()) * motions.unresisted().transpose() * open;
     room = Eigen::Map<VectorXd>(rooms.data(), rows.rows());
+    // Rooms are differences of positions, and these are known to the rounding
+    // of what has moved and of the size of bodies.
     touching =
       1e-10 * solvers::largest(state.v) + 1e-13 * motions.largest_size();
   }

@@ -24,6 +24,7 @@ namespace conetact::contact
     auto               n   = static_cast<unsigned int>(parent.size());
     const unsigned int n_c = structure.n_components();
     structure.for_each_connection([&](const std::vector<unsigned int> &dofs) {
+      // All nodes of an element are in one piece.
       const unsigned int first = root(dofs.front() / n_c);
       for (const unsigned int dof : dofs)
         if (const unsigned int other = root(dof / n_c); other != first)

@@ -148,6 +148,9 @@ namespace conetact::contact
 
 
 
+  /* A prestress F presses both sides together with forces of its own, -F n on
+     the body and F n on what it meets. [P] has it as the weight of tightening;
+     together with the cohesion (1 - f) F it is the vector (1, 1, 1) F there. */
   Eigen::VectorXd
   prestress_forces(const model::Bodies &bodies)
   {

@@ -236,6 +236,8 @@ namespace conetact::contact
           }
         element.reinit(coordinates, dofs);
         copy(dofs.size(), matrix, k);
+        // deal.II adds diagonal entries for constrained numbers, too: element
+        // takes none of them, for they stand behind the unknowns.
         constraints.affine.distribute_local_to_global(k, numbers, element);
         visit(element.unknowns, element.matrix.data());
       },

@@ -119,6 +119,8 @@ namespace conetact::contact
           }
       }
 
+      /* Whether H^T r = 0 in the unknowns of this node alone says r = 0: its
+         rows have full rank there. */
       bool
       is_told_alone(const std::size_t i) const
       {
@@ -240,6 +242,11 @@ namespace conetact::contact
       Index                                rank = 0;
     };
 
+    /**
+     * The rows H of what is bound, in unknowns that supports leave: what a
+     * support holds has no column, so that a row of zeros is one that supports
+     * imply.
+     */
     Rows
     bound_rows(const model::Bodies &bodies,
                const ContactPoints &points,

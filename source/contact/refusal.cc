@@ -126,6 +126,10 @@ namespace conetact::contact
 
   namespace
   {
+    /**
+     * Frames let the check compare motions of nodes in space: whether all go
+     * the same way tells a slide from a turn.
+     */
     solvers::ExistenceCheck
     existence_check(std::shared_ptr<const solvers::ContactSystem> system,
                     const ContactModel                           &model)
@@ -193,6 +197,8 @@ namespace conetact::contact
     }
   } // namespace
 
+  /* The check knows no matrix: reactions, motions and cones are all that
+     equilibrium as a whole is made of. */
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model, const Eigen::VectorXd &mu)
   {
@@ -202,6 +208,9 @@ namespace conetact::contact
     return existence_check(system, model);
   }
 
+  /* Motions that the nodes that hold do not see are the null space of their
+     rows. A load that has a part along one of these drives it, whatever the
+     nodes carry. */
   bool
   drives_what_is_not_held(const std::vector<bool> &holding,
                           const Eigen::VectorXd   &load,
@@ -222,6 +231,9 @@ namespace conetact::contact
     return false;
   }
 
+  /* As if the other nodes were not there. Loads enter by their work on the
+     motions: forces on the holding nodes that do the same work stand for them,
+     and there are none where these do not see all motions. */
   std::optional<solvers::Existence>
   check_by(const std::vector<bool> &holding,
            const Eigen::VectorXd   &load,
@@ -254,6 +266,9 @@ namespace conetact::contact
       nearest_nodes(gaps, model), load, start, reference_force, model);
   }
 
+  /* A fraction is told where the load was admissible at its start. Where not
+     even that was, what is told is the friction that would be needed, all
+     coefficients in proportion. */
   std::string
   describe(const solvers::Existence &refusal,
            const ContactModel       &model,

@@ -75,6 +75,8 @@ namespace conetact::contact
                 best     = i;
               }
           }
+        // The node furthest from any, then the one furthest from that, in space
+        // the one furthest from the line through both: they span the body.
         if (k == 0) // the first one only served to find it
           chosen.clear();
         chosen.push_back(structure.position(best));

@@ -96,6 +96,8 @@ namespace conetact::contact
 
 
 
+  /* All bodies have as many amounts, used or not: of body b they begin at b
+     times n_one. */
   RigidModes::RigidModes(const model::Bodies &b)
     : bodies(b)
     , n_one(n_modes(b.dim))
@@ -169,6 +171,8 @@ namespace conetact::contact
     return largest;
   }
 
+  /* u = R a at all dofs. Most bodies have no part in a motion, and are left
+     out. */
   Eigen::VectorXd
   RigidModes::field(const Amounts &amounts) const
   {
@@ -224,6 +228,7 @@ namespace conetact::contact
     return sum;
   }
 
+  /* The body that moves most, to be named in a sentence. */
   RigidModes::Motion
   RigidModes::largest(const Amounts &modes) const
   {

@@ -180,6 +180,8 @@ namespace conetact::contact
 
 
 
+  /* Cuts that are locked hold what was free, and all that follows from it
+     changes. */
   void
   RigidMotions::find_again(const ContactPoints &points)
   {
@@ -208,6 +210,8 @@ namespace conetact::contact
     add_squares_of_cuts(bodies, *this, held);
     for (Index body = 0; body < n_bodies; ++body)
       {
+        // A spin that moves nothing counts as held, or it would be a motion
+        // that no contact sees.
         const Eigen::MatrixXd none =
           moving_nothing(bodies, *this, static_cast<unsigned int>(body));
         held.block(body * n_one, body * n_one, n_one, n_one) +=
@@ -280,6 +284,8 @@ namespace conetact::contact
       if (first_tied(own_body[static_cast<std::size_t>(j)]) == assembly.front())
         own.push_back(j);
     const Eigen::MatrixXd gram = ties.squares(assembly.front(), modes);
+    // One block of all tied bodies takes the place of theirs: what is
+    // prescribed to one of them places the others, too.
     held_inverse(modes, modes) =
       split(Eigen::MatrixXd(held(modes, modes)) + gram).pseudo_inverse;
     const Eigen::MatrixXd R     = own_modes(modes, own);
@@ -331,6 +337,8 @@ namespace conetact::contact
         const Eigen::MatrixXd one   = free_modes.middleCols(begin, n);
         const NullAndRange    parts = split(one.transpose() * springs * one);
         const Index           none  = parts.null.cols();
+        // Where all are loose, or none is, motions stay as they are: a turn
+        // would only round them.
         if (none > 0 && none < n)
           turned.block(begin, begin, n, n) << parts.null, parts.range;
         for (Index j = 0; j < none; ++j)
@@ -365,6 +373,8 @@ namespace conetact::contact
           gram.col(first + k).segment(first, n_one) =
             products.segment(first, n_one);
       }
+    // free_in() fits motions to the displacements of all nodes by least
+    // squares: here a rigid body counts by its own nodes.
     free_factors.compute(free_modes.transpose() * gram * free_modes);
     for (std::size_t body = 0; body < frames.size(); ++body)
       if (const Index first = static_cast<Index>(body) * n_one;

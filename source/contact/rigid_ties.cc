@@ -7,6 +7,9 @@
 
 namespace conetact::contact
 {
+  /* Directions are those of the undeformed state: bodies that are tied turn
+     together, and what their ties see of rigid motions stays the same in their
+     frame. */
   RigidTies::RigidTies(const model::Bodies &bodies,
                        const RigidModes    &modes,
                        const ContactPoints &points)
@@ -67,6 +70,8 @@ namespace conetact::contact
 
 
 
+  /* Bodies that are tied to each other, in ascending order, so that the first
+     one stands for all. A body without ties is one by itself. */
   std::vector<std::vector<unsigned int>>
   RigidTies::assemblies() const
   {

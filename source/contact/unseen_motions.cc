@@ -40,6 +40,8 @@ namespace conetact::contact
       (svd.singularValues().array() > zero * most).count();
     const Eigen::MatrixXd unseen = near * svd.matrixV().rightCols(n - n_seen);
     rows -= (rows * unseen).eval() * unseen.transpose();
+    // What is left of a motion that nothing sees is rounding, which solvers
+    // would take for a way to hold it.
     for (Eigen::Index j = 0; j < rows.cols(); ++j)
       if (rows.col(j).norm() <= zero * most)
         rows.col(j).setZero();

@@ -80,6 +80,8 @@ namespace conetact::iterative
         if (free)
           begin_with(i);
       }
+    // Votes are read from `of` and written to `joined`, or the order of nodes
+    // would decide.
     std::vector<int>   joined = of;
     std::map<int, int> votes;
     for (int i = 0; i < n; ++i)
@@ -98,6 +100,9 @@ namespace conetact::iterative
           if (most != votes.end())
             joined[at(i)] = most->first;
         }
+    // What is left has no neighbour in any aggregate. It begins one of its own:
+    // a node in none would have an empty row of P, and no level would correct
+    // it.
     of.swap(joined);
     for (int i = 0; i < n; ++i)
       if (of[at(i)] == none)
@@ -107,6 +112,9 @@ namespace conetact::iterative
 
 
 
+  /* A prefix sum: numbers of a process are contiguous and ascend with its rank,
+     so that the owner of a number is found by bisection and no table of owners
+     is kept. */
   std::vector<int>
   first_numbers(const int n_own, const Communicator &processes)
   {

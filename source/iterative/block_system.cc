@@ -318,6 +318,7 @@ namespace conetact::iterative
             system.free[p]  = 0;
             system.known[p] = law.h(k) / law.p(k, k);
           }
+    // K u = K_uu u + K_uk u_k: what is held acts as a load on the rest.
     const Array y          = multiply_contact(system.known);
     system.right_hand_side = -f - y;
     for (std::size_t i = 0; i < contact.size(); ++i)

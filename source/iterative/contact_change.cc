@@ -185,6 +185,8 @@ namespace conetact::iterative
     };
     for (std::size_t i = 0; i < own.size(); ++i)
       held_at(own[i].place) = states[i].held;
+    // Each place has one owner, and zeros of all others: the sum is what the
+    // owner says. Neighbours across a border are needed for G A G.
     processes.sum(held.data(), held.size());
 
     Rows             result = first_change;
@@ -212,6 +214,8 @@ namespace conetact::iterative
           std::size_t       k   = result.blocks.start[row];
           for (std::size_t j = 0; j < Y.size(); ++j)
             {
+              // Columns ascend on both sides, and row a of the pattern has all
+              // columns of this row of A P: one walk finds them.
               while (result.blocks.column[k] !=
                      AP.blocks.column[AP.blocks.start[i] + j])
                 ++k;
@@ -271,6 +275,8 @@ namespace conetact::iterative
                 });
             });
             level.P.for_row(i, [&](const int a, const auto &of_i) {
+              // The pattern was made of the same rows of P: each (a, b) is in
+              // it.
               const std::size_t at_a = below.find(a);
               for (const auto &[b, block] : row)
                 below.blocks.block(below.find(at_a, b)) +=

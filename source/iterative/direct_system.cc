@@ -28,6 +28,9 @@ namespace conetact::iterative
     Triplets entries;
     elements.for_each([&](const std::vector<Index> &unknowns,
                           const double             *matrix) {
+      // Elements of both triangles give each entry at its place: Newton's
+      // matrix takes whole rows of K, and its unsymmetric factor both
+      // triangles.
       const std::size_t size = unknowns.size();
       for (std::size_t a = 0; a < size; ++a)
         for (std::size_t b = 0; b < size; ++b)
@@ -104,6 +107,8 @@ namespace conetact::iterative
         matrix.row(q) /= largest;
         b[q] /= largest;
       }
+    // Each state has another pattern, and friction makes the matrix
+    // unsymmetric: no order of elimination is kept from one step to the next.
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
     if (solver.info() != Eigen::Success)
       return {};

@@ -112,6 +112,8 @@ namespace conetact::iterative
       return list[at(i)];
     };
     next(V, 0) = b;
+    // Vectors of the cycle before are kept and written again: from the second
+    // cycle on nothing is allocated.
     w.resize(b.size());
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
     VectorXd        g = VectorXd::Zero(cycle_length + 1);
@@ -134,6 +136,8 @@ namespace conetact::iterative
         H.col(k).applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
         g.applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
       }
+    // Rotations have kept H triangular: the least squares problem that is left
+    // is a back substitution of size k.
     const VectorXd y =
       H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
     FloatVector x = FloatVector::Zero(b.size());

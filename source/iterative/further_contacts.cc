@@ -56,6 +56,7 @@ namespace conetact::iterative
     return join(f, VectorXd::Zero(H.rows()));
   }
 
+  /* The reverse of join(): what the system itself has of all unknowns. */
   VectorXd
   FurtherContacts::without(const VectorXd &x) const
   {
@@ -67,6 +68,8 @@ namespace conetact::iterative
     return u;
   }
 
+  /* They stand before the contact nodes, which are the last unknowns of any
+     LargeSystem. */
   VectorXd
   FurtherContacts::reactions(const VectorXd &x) const
   {
@@ -166,6 +169,8 @@ namespace conetact::iterative
       Array
       diagonal() const override
       {
+        // A reaction has no stiffness, but its row is the imbalance k (v - H
+        // u): that of its node lets it compare with forces.
         return whole(system->diagonal(), stiffness, stiffness);
       }
       std::optional<Step>
@@ -352,6 +357,8 @@ namespace conetact::iterative
             r.segment(row, law.h.size()) = law.d.inverse() * law.h;
           row += law.h.size();
         }
+      // Reactions of further contacts are few, and each process has all of
+      // them: it iterates by itself. Messages are those of product().
       FlexibleGmres                       gmres((Communicator()));
       std::vector<std::pair<Array, Kept>> responses; // to changes of r
       const auto product = [&](const FloatVector &x, FloatVector &y) {
@@ -380,6 +387,9 @@ namespace conetact::iterative
                                        as_it_is,
                                        iterations)
                                 .cast<double>();
+          // Machines may have rounded in different ways, and how often the loop
+          // runs decides on messages: all take the numbers of the first
+          // process.
           team().broadcast(part);
           // The changes are Krylov's vectors, as nothing preconditions them:
           // orthonormal, and parts of r along them are scalar products.

@@ -9,6 +9,9 @@
 
 namespace conetact::iterative
 {
+  /* Owners are told once which of their blocks others need. In each product all
+     know then what to send and how much will come: neither numbers nor lengths
+     are sent again. */
   HaloPlan::HaloPlan(const std::vector<int> &needed,
                      const std::vector<int> &first,
                      const Communicator     &processes)

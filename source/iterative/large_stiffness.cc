@@ -216,6 +216,9 @@ namespace conetact::iterative
         if (processes.size() == 1)
           return own;
         Array result(n_unknowns());
+        // All processes have all unknowns of contact. The others are gathered
+        // with their numbers, as parts follow the mesh and not the order of
+        // unknowns.
         result.tail(n_contact) = own.tail(n_contact);
         own.conservativeResize(numbers_of_own.size());
         own                      = processes.gather_all(std::move(own));
@@ -242,6 +245,8 @@ namespace conetact::iterative
         own << part(x)(elsewhere), of_contact(x);
         return own;
       }
+      /* Laws are evaluated by all processes alike, on the same numbers: states
+         are the same everywhere, and no process has to be told of them. */
       Array
       of_contact(const Kept &x) const override
       {
@@ -424,6 +429,9 @@ namespace conetact::iterative
             nodes.insert(places.of[q] / block);
         return {nodes.begin(), nodes.end()};
       }
+      /* Each mode is made in full and cut to the own part before the next one
+         is: all at once they would take six vectors of all unknowns on each
+         process. */
       Eigen::MatrixXd
       own_modes(const LargeStiffness &given) const
       {

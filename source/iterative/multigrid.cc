@@ -28,6 +28,10 @@ namespace conetact::iterative
      * follow. */
     constexpr double least_gain = .8;
 
+    /**
+     * Column by column: rows of one process are no contiguous piece of a matrix
+     * that is kept by columns.
+     */
     Eigen::MatrixXd
     gather_rows(const Eigen::MatrixXd &own, const Communicator &processes)
     {
@@ -131,6 +135,8 @@ namespace conetact::iterative
                     level.R,
                     rows);
       }
+    // It stays in double precision and without contact: each state adds its
+    // change to a copy, and factorises that.
     coarsest_matrix = dense(rows.A);
   }
 
@@ -151,9 +157,11 @@ namespace conetact::iterative
     const bool   above_is_whole = !below.empty() && below.back().is_whole;
     const double n_above        = (above_is_whole ? Communicator() : processes)
                              .sum(static_cast<double>(next.P.n_block_rows()));
-    Level &level         = below.emplace_back();
-    rows                 = std::move(next.rows);
-    const int  n         = rows.first.back();
+    Level &level = below.emplace_back();
+    rows         = std::move(next.rows);
+    const int n  = rows.first.back();
+    // Where aggregates hardly unite anything each further level would be as
+    // dear as this one.
     const bool is_last   = n * coarse <= few_enough || n > least_gain * n_above;
     level.is_whole       = is_last || n * coarse <= few;
     level.is_first_whole = level.is_whole && !above_is_whole;
@@ -176,6 +184,9 @@ namespace conetact::iterative
 
 
 
+  /* Chebyshev's polynomial is small between a part of the largest eigenvalue of
+     D A and that eigenvalue, and grows fast beyond it: an estimate that is too
+     small would make the smoother diverge. */
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::make_smoother(

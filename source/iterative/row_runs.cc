@@ -289,6 +289,8 @@ namespace conetact::iterative
         own.clear();
         for (std::size_t k = A->start[i]; k < A->start[i + 1]; ++k)
           own.push_back(A->column[k] - static_cast<int>(i));
+        // Equal numbers and equal shifts are kept once, so that their places
+        // tell whether the run goes on.
         const RowRun<Number> run = {i,
                                     1,
                                     own.size(),

@@ -194,6 +194,8 @@ namespace conetact::iterative
         part.that_have = [number, all = elements.that_have](
                            const std::vector<bool> &unknowns) {
           std::vector<bool> among_all(number->size(), false);
+          // A part knows its own unknowns only: what it asks for is told in
+          // those of all, by which elements are found.
           for (std::size_t q = 0; q < number->size(); ++q)
             among_all[q] = (*number)[q] >= 0 && unknowns[at((*number)[q])];
           return part_of(all(among_all), number);
@@ -222,7 +224,9 @@ namespace conetact::iterative
         own.contact.first.push_back(own.contact.first.back() +
                                     given.contact.first[at(i) + 1] -
                                     given.contact.first[at(i)]);
-      own.contact.mu     = given.contact.mu(part.nodes);
+      own.contact.mu = given.contact.mu(part.nodes);
+      // Nodes keep the numbers of the scene, by which these are asked: only
+      // unknowns are counted anew.
       own.surface        = given.surface;
       own.side           = given.side;
       own.position       = given.position;

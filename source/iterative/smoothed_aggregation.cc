@@ -181,6 +181,8 @@ namespace conetact::iterative
              BlockMatrix<size, coarse, float> T,
              const Communicator              &processes)
     {
+      // Columns of own rows of A are nodes of others as well, across the
+      // border: A T needs their rows of T.
       append_rows_of_others(above.A, processes, T);
       const double omega =
         4. / 3 / static_cast<double>(above.largest) / above.unit;
@@ -413,6 +415,8 @@ namespace conetact::iterative
       const std::size_t n_own = P.n_block_rows();
       append_rows_of_others(above.A, processes, P);
       auto result = Projection<size, coarse>(above, P, first, processes).rows();
+      // Rows of others have served: from here on each process multiplies by its
+      // own rows of P.
       P.start.resize(n_own + 1);
       P.column.resize(P.start.back());
       P.value.resize(P.start.back() * P.block_size + spare);

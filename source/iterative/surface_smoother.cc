@@ -36,6 +36,8 @@ namespace conetact::iterative
     std::vector<double> values;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
+        // Own nodes are contiguous among all, and those of the surface ascend:
+        // the own part of a vector of the surface begins at `first`.
         const int i = nodes[k] - begin;
         if (i < 0 || i >= n_own)
           continue;
@@ -107,6 +109,8 @@ namespace conetact::iterative
     const VectorXf added = processes.gather_all(
       VectorXf(Eigen::Map<const VectorXf>(own_added.data(), own_added.size())));
     Matrix matrix = whole;
+    // A' = F (A + S) F + (1 - F) with F = 1 where unknowns are free, as on all
+    // levels: smoother and levels must see the same state.
     for (Index column = 0; column < matrix.cols(); ++column)
       for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
         {
@@ -119,6 +123,8 @@ namespace conetact::iterative
           if (row == column && entry.value() == 0)
             entry.valueRef() = 1;
         }
+    // L D L^T is made without pivoting: there is none where a pivot vanishes,
+    // as in a part of the surface that nothing holds.
     solver.factorize(matrix);
     is_solvable = solver.info() == Eigen::Success;
   }

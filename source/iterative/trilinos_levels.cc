@@ -76,6 +76,8 @@ namespace conetact::iterative
                     values,
                     /*elide_zero_values=*/false);
       });
+      // ML refers to this matrix: it stays, and each state writes other numbers
+      // into the same pattern.
       matrix->compress(dealii::VectorOperation::insert);
     }
 
@@ -174,6 +176,8 @@ namespace conetact::iterative
                           ml_parameters(*own.matrix, own.modes, block));
   }
 
+  /* ML computes in double precision, and all that is around it in single: GMRES
+     is flexible, and its outer residual tells what is accurate. */
   template <int block>
   void
   TrilinosLevels<block>::correct(const FloatVector &r, FloatVector &x)

@@ -50,6 +50,9 @@ namespace conetact::pairing
     return lift;
   }
 
+  /* A gap that is adjusted stays the drawn one, and grows by the difference
+     from t = 0 on: feet, arms of moments and true gaps are those of the faces.
+   */
   void
   adjust_gaps(const Contact                                &contact,
               const unsigned int                            number,
@@ -60,6 +63,8 @@ namespace conetact::pairing
     const auto          margin = [&](const ContactNode &node) {
       return facet_margin * facets.around(node);
     };
+    // Sides that nowhere touch are meant to be apart: their gaps are not those
+    // of facets, however small.
     const bool touches =
       std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &node) {
         return node.contact == number && !node.meets_nothing() &&

@@ -127,6 +127,8 @@ namespace conetact::pairing
         if (size < found)
           break;
       }
+    // A foot beyond the edges is one of the neighbour, or of nothing: a little
+    // beyond is allowed, so that two faces leave no slit between them.
     if (size > nothing || !is_on(bent, at))
       return {};
     return BentPoint{at, Point<3>(bent.at(at[0], at[1])), normal_of(bent, at)};

@@ -102,6 +102,7 @@ namespace conetact::pairing
   {
     Assert(opened >= 0 && slipped >= 0 && least > 0,
            dealii::ExcMessage("Ways have no sign."));
+    // What is open at the start was never glued.
     if (opened == never_closed)
       return 0;
     if (lost == Lost::never)

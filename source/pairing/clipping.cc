@@ -119,6 +119,10 @@ namespace conetact::pairing
           polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i) - 1);
     }
 
+    /**
+     * The least and the largest of each coordinate: low x, high x, low y, high
+     * y.
+     */
     std::array<double, 4>
     box(const Polygon &polygon)
     {
@@ -144,6 +148,8 @@ namespace conetact::pairing
       // on parallelograms 4; what is beyond is for skew faces.
       static const dealii::QWitherdenVincentSimplex<2> degree_5(3),
         degree_13(7);
+      // dA = |J| da db, where |J| is twice the area; the weights of a rule sum
+      // to 1/2.
       const double jacobian = cross(b - a, c - a);
       // Three corners on a line have no area.
       if (!(jacobian > 0))
@@ -195,6 +201,8 @@ namespace conetact::pairing
     return .5 * twice;
   }
 
+  /* The mean of the corners, which is inside of a convex polygon. It is not the
+     centre of its area, and need not be. */
   Point<2>
   middle(const Polygon &polygon)
   {

@@ -146,6 +146,8 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* Linear functions of segments and triangles, bilinear ones of
+     quadrilaterals, whose corners stand row by row, as deal.II counts them. */
   std::array<double, 4>
   shape_values(const std::size_t n_corners, const std::array<double, 2> &at)
   {
@@ -209,8 +211,9 @@ namespace conetact::pairing
            dealii::ExcMessage("Normals have unit length."));
     if (corners.size() == 2)
       {
-        const Tensor<1, 3> along  = corners[1] - corners[0];
-        const double       across = cross_product_3d(along, normal)[2];
+        const Tensor<1, 3> along = corners[1] - corners[0];
+        // In the plane: x_0 + a along + s n = p, times the vector across n.
+        const double across = cross_product_3d(along, normal)[2];
         // The normal lies in the face: no point of it is along.
         if (std::abs(across) < 1e-6 * along.norm())
           return {};
@@ -234,6 +237,9 @@ namespace conetact::pairing
     return {};
   }
 
+  /* A segment has a length. Of a quadrilateral half the product of its
+     diagonals: exact where it is plane, and of a warped one the area of its
+     projection along its mean normal. */
   double
   face_area(const std::vector<Point<3>> &x)
   {

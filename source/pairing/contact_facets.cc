@@ -47,6 +47,8 @@ namespace conetact::pairing
   double
   ContactFacets::in_gap(const ContactNode &node) const
   {
+    // A mean over faces has gaps of all points of them, a single node only its
+    // own: it stands on the curve unless it is inside of a facet.
     const double own = !slave       ? 0 :
                        node.is_mean ? slave->at(node.node) :
                                       slave->of_node(node.node);
@@ -59,6 +61,8 @@ namespace conetact::pairing
     return (slave ? slave->at(node.node) : 0) + of_other_side(node);
   }
 
+  /* How far a gap may be from what was meant because faces are chords: bent
+     faces follow a curve, but as parabolas, and means weigh both. */
   double
   ContactFacets::allowance(const ContactNode &node) const
   {

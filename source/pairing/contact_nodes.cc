@@ -43,6 +43,8 @@ namespace conetact::pairing
     return distance;
   }
 
+  /* A mean over bent faces has a gap of its own: by how much it differs from
+     that of its node at the start. */
   double
   gap_beside_own(const ContactNode &node)
   {

@@ -150,6 +150,8 @@ namespace conetact::pairing
       mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
         const std::optional<MasterSurface::Foot> own = foot(row.node, row);
+        // Normal and foot are those of the corner itself. Beside the master
+        // there is none, whatever nodes around it meet.
         if (!own)
           return {};
         MeanOfFeet mean;

@@ -61,6 +61,8 @@ namespace conetact::pairing
     const MatrixXd functions = extended(areas, kept);
     MatrixXd       all       = MatrixXd::Zero(areas.size(), areas.size());
     all(kept, Eigen::all)    = functions;
+    // One function alone is 1 on all that is covered: it is dual to its own
+    // node whatever the mass.
     if (kept.size() == 1)
       return all;
     const VectorXd own = mass.diagonal()(kept).cwiseSqrt();
@@ -75,6 +77,9 @@ namespace conetact::pairing
                                          Eigen::ComputeFullU |
                                            Eigen::ComputeFullV);
     const VectorXd                  &values = svd.singularValues();
+    // Functions that are too much alike stay as they are, not dual: D has
+    // entries beside its diagonal then, but sums of forces and constant
+    // pressures pass all the same, as the functions sum to 1.
     if (!(values[values.size() - 1] > least * values[0]))
       return all;
     const MatrixXd inverse = svd.matrixV() *

@@ -51,6 +51,8 @@ namespace conetact::pairing
       Closest
       closest(const Point<3> &p, const double) const override
       {
+        // All that matters of a point is how far along the axis it is, z, and
+        // how far from it, r.
         const double       z      = (p - apex) * axis;
         const Tensor<1, 3> across = (p - apex) - z * axis;
         const double       r      = across.norm();

@@ -306,6 +306,8 @@ namespace conetact::pairing
             }
   }
 
+  /* The nearest point of one face, on an edge of it where p is beside it: no
+     neighbour is asked. */
   FaceNet::Closest
   FaceNet::project(const std::size_t face, const Point<3> &p) const
   {
@@ -320,6 +322,7 @@ namespace conetact::pairing
     return result;
   }
 
+  /* The edges that a point of a face is on: none inside, two at a corner. */
   std::vector<std::size_t>
   FaceNet::edges_at(const Closest &at) const
   {
@@ -408,6 +411,8 @@ namespace conetact::pairing
     return (p - at.point) * sum_of_normals(feature(at, p)) < 0 ? -1 : 1;
   }
 
+  /* In sizes of the face that is nearest: a depth counts by what meshes
+     resolve. */
   double
   FaceNet::signed_distance(const Point<3> &p) const
   {

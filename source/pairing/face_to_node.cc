@@ -25,6 +25,8 @@ namespace conetact::pairing
     {
       constexpr double overhang = 1e-2; // of a face
 
+      // The faces are those of the slave: the nearest one is met, and a normal
+      // out of it points to the node of the master.
       const FaceNet::Closest at   = faces.nearest(p);
       const FaceNet::Face   &face = faces.all()[at.face];
       const Tensor<1, 3>     arm  = p - at.point;
@@ -71,9 +73,10 @@ namespace conetact::pairing
                            "': the nodes of its Master body meet a face whose "
                            "nodes all hang. Refine the body there.");
         ContactNode node = own.free_node(*nearest);
-        node.n           = -at->normal;
-        node.master      = contact.master;
-        node.masters     = {{master.node, 1.}};
+        // Normals point from what is met to the body, here into its face.
+        node.n       = -at->normal;
+        node.master  = contact.master;
+        node.masters = {{master.node, 1.}};
         for (std::size_t i = 0; i < N.size(); ++i)
           // Shape functions that vanish at an edge leave rounding.
           if (std::abs(N[i]) > 1e-14)

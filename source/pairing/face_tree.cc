@@ -45,6 +45,9 @@ namespace conetact::pairing
                                        ball.centre,
                                        corner_of_tube * ball.radius),
                             of_balls.size());
+    // Boxes are larger than balls by the factor of corner_of_tube, which covers
+    // the slack as well: no ball is missed, and meets() throws out what only
+    // boxes touch.
     boxes = std::make_shared<const Boxes>(Boxes{dealii::pack_rtree(of_balls)});
   }
 

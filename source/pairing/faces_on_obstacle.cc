@@ -106,6 +106,8 @@ namespace conetact::pairing
         }
   }
 
+  /* Only corners on the side that faces the obstacle get a part of a face: the
+     others belong to another side of an edge. */
   void
   FacesOnObstacle::add(const std::size_t f, const std::vector<bool> &of_row)
   {

@@ -33,6 +33,7 @@ namespace conetact::pairing
            {slave.centre, slave.radius}, slave.outward, limits.reach))
       {
         const FaceNet::Face &face = master.net().all()[f];
+        // Faces meet that look at each other, within the angle of limits.
         if (-(face.outward * slave.outward) < limits.cosine)
           continue;
         // Looking along the normal: a face of the master that looks away or

@@ -217,6 +217,10 @@ namespace conetact::pairing
         "or Largest angle.");
     }
 
+    /**
+     * What the log says of a contact: nodes, how many are paired, least and
+     * largest gap.
+     */
     Pairing
     count(const PairedNodes &found)
     {

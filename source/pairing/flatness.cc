@@ -216,6 +216,7 @@ namespace conetact::pairing
                               const bodies::Structure        &structure,
                               const unsigned int              dim)
     {
+      // A gap that is written down has one normal, wherever bodies go.
       if (contact.obstacle->shape->states_gaps())
         return "";
       const std::string curved =
@@ -252,6 +253,9 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* A sentence where normals turn as sides slide along each other: small
+     kinematics is wrong there by more than a thousandth. Empty: both sides are
+     plane and parallel. */
   std::string
   why_not_plane(const Contact                                &contact,
                 const unsigned int                            number,

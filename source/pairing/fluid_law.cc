@@ -72,6 +72,8 @@ namespace conetact::pairing
                                "entry empty.");
   }
 
+  /* The fluid enters over nodes that both the source and the contact have: a
+     source without any would leave all dry, without a word. */
   void
   FluidLaw::check_source(const bodies::Structure &structure,
                          const std::string       &in) const
@@ -87,6 +89,8 @@ namespace conetact::pairing
                           "gets in. Give ids beside those, or a point.");
   }
 
+  /* [stress] Below zero it would pull both sides together, which no fluid
+     between them does. */
   double
   FluidLaw::pressure(const double t) const
   {

@@ -85,6 +85,10 @@ namespace conetact::pairing
       return result;
     }
 
+    /**
+     * Reads what to_numbers() has written, and refuses numbers of nodes that
+     * the bodies do not have: a file may be damaged, or that of another mesh.
+     */
     void
     take(const std::vector<double>                    &values,
          const SideRow                                &side,
@@ -149,6 +153,9 @@ namespace conetact::pairing
     const std::string entries     = found_names + "inside";
   } // namespace
 
+  /* What finite sliding has changed of nodes: a run that goes on must begin
+     with the rows that it ended with, to the last digit, and not with those
+     that a search of its own would find. */
   void
   save_found(const std::vector<ContactNode> &nodes, Archive &archive)
   {
@@ -253,6 +260,8 @@ namespace conetact::pairing
     archive.put(placed + "rotations", rows);
   }
 
+  /* Frames of bodies that turn far, as the last increment left them: nodes and
+     unknowns of the next one are told in them. */
   void
   restore_frames(const Archive &archive, std::vector<RigidMotion> &frames)
   {

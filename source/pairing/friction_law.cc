@@ -54,6 +54,9 @@ namespace conetact::pairing
     return value_of(expression(axis), at);
   }
 
+  /* An upper bound by interval arithmetic, over all speeds and over the
+     pressures that are given. It may be above what is ever reached: a proof
+     that friction cannot hold a load stays one. */
   double
   FrictionLaw::most(const Situation   &at,
                     const Bounds      &pressure,
@@ -99,6 +102,8 @@ namespace conetact::pairing
                  std::numeric_limits<double>::infinity();
   }
 
+  /* A number for each node, known before the run: it needs no law in
+     increments, and solvers see the coefficient alone. */
   bool
   FrictionLaw::is_constant() const
   {
@@ -109,6 +114,7 @@ namespace conetact::pairing
            !uses_others;
   }
 
+  /* A number for each node in an increment, known before it is solved. */
   bool
   FrictionLaw::is_known() const
   {

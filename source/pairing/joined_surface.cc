@@ -84,6 +84,8 @@ namespace conetact::pairing
             if (std::find(corners.begin(), corners.end(), number_of[i]) ==
                 corners.end())
               corners.push_back(number_of[i]);
+          // Faces whose corners have become one or two points are slivers, and
+          // go.
           if (corners.size() >= std::min<std::size_t>(face.size(), 3))
             result.faces.push_back(corners);
         }

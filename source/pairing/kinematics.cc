@@ -80,6 +80,8 @@ namespace conetact::pairing
       ->kinematics;
   }
 
+  /* Kinds of contacts that finite sliding does not find again, each with the
+     reason that a user is told. Empty: it may slide. */
   std::string
   why_not_sliding(const Contact                                &contact,
                   const std::vector<const bodies::Structure *> &structures)

@@ -113,6 +113,8 @@ namespace conetact::pairing
            unloading_by_pressure(at) * (at.packed - at.pressure);
   }
 
+  /* U is asked at the largest pressure P so far, for what springs back depends
+     on how far the layer was pressed. */
   double
   LayerLaw::unloading_by_pressure(const Situation &at) const
   {
@@ -138,6 +140,8 @@ namespace conetact::pairing
              0.;
   }
 
+  /* k of Archard's law [1/stress], times the number of cycles that an increment
+     stands for. */
   double
   LayerLaw::wear_by_pressure(const Situation &at) const
   {

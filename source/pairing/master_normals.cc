@@ -13,6 +13,8 @@ namespace conetact::pairing
     Assert(std::abs(outward.norm() - 1) < 1e-6,
            dealii::ExcMessage("Normals have unit length."));
     constexpr double opposite = .5; // cosine: beyond, they do not face
+    // Where both sides look the same way, as around the rim of a master, its
+    // normal says nothing: that of the slave counts alone.
     if (of_master * outward > -opposite * of_master.norm() ||
         of_master.norm() == 0)
       return -outward;

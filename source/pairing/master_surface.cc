@@ -263,6 +263,9 @@ namespace conetact::pairing
     return Meeting{side * distance, normal};
   }
 
+  /* A face, or an edge or corner where faces meet: what opposes the slave more
+     is met. Where the node touches an edge, its direction from the foot is
+     rounding, and the cone of normals there decides. */
   std::optional<MasterSurface::Meeting>
   MasterSurface::meet(Feature                          feature,
                       const Point<3>                  &p,
@@ -296,6 +299,8 @@ namespace conetact::pairing
     return touches || cosine(edge) > cosine(over) + round_off ? edge : over;
   }
 
+  /* Whether a foot behind its face is an interference, and not the far side of
+     the body: any foot in front of its face is allowed. */
   bool
   MasterSurface::may_be_behind(const Point<3>      &p,
                                const double         gap,
@@ -322,8 +327,9 @@ namespace conetact::pairing
                       const std::vector<Tensor<1, 3>> &slave_normals,
                       const Limits                    &limits) const
   {
-    // Most feet are near. The nearest foot of a ball is the nearest of all, and
-    // for what has none in these balls a loop over all faces is cheap.
+    // Most feet are near, and the nearest foot of a ball is the nearest of all.
+    // What has none in these balls takes a loop over all faces: many such nodes
+    // take as many times longer as there are faces.
     for (const double faces_away : {1., 4., 16.})
       if (const double radius = faces_away * typical_size;
           radius < limits.reach)

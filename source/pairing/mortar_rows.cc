@@ -63,6 +63,7 @@ namespace conetact::pairing
     {
       std::vector<std::size_t> side(corners.size());
       std::iota(side.begin(), side.end(), std::size_t{0});
+      // Few faces meet in a node: all pairs are compared.
       for (std::size_t i = 0; i < side.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
           if (faces[corners[i].first].outward *
@@ -143,6 +144,9 @@ namespace conetact::pairing
     return std::clamp(mean, least, 1 / least);
   }
 
+  /* One row for each node and each side of a sharp edge at it: faces on both
+     sides of an edge have normals of their own, and would press against each
+     other in one mean. */
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
                          const double                      sharp_edge,
                          const bool                        axisymmetric)
@@ -187,6 +191,7 @@ namespace conetact::pairing
     rows.back().least = next_to_nothing;
   }
 
+  /* Rows that a face connects may take each other over. */
   void
   MortarRows::join(const std::size_t face)
   {
@@ -354,6 +359,8 @@ namespace conetact::pairing
         }
   }
 
+  /* A row keeps its own multiplier where its node faces the master and its
+     functions integrate to enough: D_j^-1 is bounded then. */
   bool
   MortarRows::stands(const MortarRow &row) const
   {
@@ -376,6 +383,9 @@ namespace conetact::pairing
     return standing.empty() ? larger : standing;
   }
 
+  /* Rows that do not stand give their functions away: with a multiplier of
+     their own on a sliver they would have pressures many times too large. As
+     all functions still sum to 1, a constant pressure passes as before. */
   void
   MortarRows::give_up_beyond_rims()
   {

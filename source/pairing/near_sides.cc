@@ -142,6 +142,8 @@ namespace conetact::pairing
            patch.box.upper_bound(0) <= gap_rounding * patch.edge;
   }
 
+  /* What the scene says, or a part of an edge; and the rounding of a gap, so
+     that one of just this size is found. */
   double
   NearSearch::gap_allowed(const double edge) const
   {
@@ -236,6 +238,9 @@ namespace conetact::pairing
     });
   }
 
+  /* The finer side is the slave: each of its nodes has a constraint, and nodes
+     of a finer master would come into a coarse slave between its own. A frame
+     meets a continuum as the master only. */
   std::optional<NearSides>
   NearSearch::between(const unsigned int one, const unsigned int other) const
   {

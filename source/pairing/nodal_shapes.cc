@@ -87,6 +87,8 @@ namespace conetact::pairing
     return slopes;
   }
 
+  /* The integral of each shape function over a parallelogram, a triangle or a
+     segment, over its area: the part of a uniform pressure that a node gets. */
   std::vector<double>
   nodal_shares(const std::size_t n_nodes, const std::size_t n_corners)
   {

@@ -63,6 +63,8 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* The diagonal of the box around both bodies, in undeformed places.
+     [length] */
   double
   size_of(const bodies::Structure &one, const bodies::Structure &other)
   {
@@ -113,6 +115,8 @@ namespace conetact::pairing
     return node;
   }
 
+  /* A node that meets nothing keeps its row where contacts slide, for it may
+     meet something later: with a gap that is as far as the contact reaches. */
   ContactNode
   NodeToFace::apart(const bodies::SurfaceNode &s,
                     const Tensor<1, 3>        &outward) const
@@ -124,6 +128,7 @@ namespace conetact::pairing
     return node;
   }
 
+  /* A mean over nodes has the mean of the gaps that are written down there. */
   double
   NodeToFace::prescribed_gap(const ContactNode &node) const
   {
@@ -199,6 +204,8 @@ namespace conetact::pairing
             contact.body != contact.master};
   }
 
+  /* A node may start inside by what facets explain, or by what the scene
+     allows; deeper ones are in a wrong place, most likely. */
   void
   NodeToFace::judge(const ContactNode &node, const double face_size)
   {

@@ -171,6 +171,8 @@ namespace conetact::pairing
             "no moment. [force x length]");
   }
 
+  /* A rigid motion d(t) and an angle about a point, or free components with
+     loads on them. Which of these exclude each other is checked in the end. */
   void
   read_motion(Handler           &prm,
               const unsigned int dim,

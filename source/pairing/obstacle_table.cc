@@ -59,6 +59,7 @@ namespace conetact::pairing
                   const ObstacleRow              &row,
                   const std::string              &in)
     {
+      // An entry is given if it is not what it is without being written.
       dealii::ParameterHandler defaults;
       declare_obstacle(defaults);
       for (const ObstacleRow &other : obstacle_table())

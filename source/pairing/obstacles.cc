@@ -20,6 +20,8 @@ namespace conetact::pairing
     return d;
   }
 
+  /* The rotation is about the reference point, which the translation moves.
+     What is free has its motion among the unknowns, and none here. */
   RigidMotion
   Obstacle::motion_at(const double t) const
   {

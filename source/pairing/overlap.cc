@@ -122,6 +122,9 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* Each node in the box of the other body is asked against all faces of it: as
+     much work as nodes there times faces. Bodies that are apart cost their
+     boxes only. */
   std::optional<Overlap>
   deepest_inside(const bodies::Structure &body, const bodies::Structure &other)
   {

@@ -66,6 +66,10 @@ namespace conetact::pairing
       return weights;
     }
 
+    /**
+     * A contact node has a number for tables: of the nodes of its cell the one
+     * that the point is next to.
+     */
     unsigned int
     heaviest(const Weights &weights)
     {
@@ -78,6 +82,8 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* One object for all springs that end at no body: contacts keep its
+     address. */
   const Obstacle &
   ground()
   {

@@ -42,6 +42,8 @@ namespace conetact::pairing
     return rows;
   }
 
+  /* Mortar needs faces on both sides: frames, obstacles and single nodes are
+     met node by node, whatever is asked for. */
   const PairingRow &
   pairing_of(const Contact                                &contact,
              const std::vector<const bodies::Structure *> &structures)

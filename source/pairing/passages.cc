@@ -125,6 +125,8 @@ namespace conetact::pairing
     faces.push_back(std::move(face));
   }
 
+  /* Faces move from place to place along straight lines, as nodes do: n_places
+     of them make a turn smooth enough. */
   std::vector<Point<3>>
   MovingBoundary::corners_of(const Face &face, const double when) const
   {

@@ -83,6 +83,8 @@ namespace conetact::pairing
       }));
   }
 
+  /* Whether no pressed node has only pressed neighbours: the area of contact is
+     one or two nodes wide, and meshes do not resolve it. */
   bool
   PressurePattern::is_thin(const Pressures &pressures) const
   {
@@ -100,6 +102,9 @@ namespace conetact::pairing
                         });
   }
 
+  /* Nodes inside of a smooth surface that press while none of their neighbours
+     does, though these could: what facets of two curved surfaces do that do not
+     match. */
   std::vector<unsigned int>
   PressurePattern::lonely(const Pressures              &pressures,
                           const std::set<unsigned int> &could_press) const

@@ -43,6 +43,8 @@ namespace conetact::pairing
     return {(p - origin) * axes[0], (p - origin) * axes[1]};
   }
 
+  /* Along the normal, which looks out of the slave: the gap is the height of
+     the master less that of the slave. */
   double
   ProjectionPlane::height(const Point<3> &p) const
   {

@@ -24,6 +24,8 @@ namespace conetact::pairing
   {
     RigidMotion motion = translated(d);
     motion.centre      = c;
+    // The length of a rotation vector is the angle [rad]; rotation_about()
+    // takes degrees.
     if (const double angle = turn.norm(); angle > 0)
       motion.rotation = bodies::rotation_about(turn, angle * 180 / M_PI);
     return motion;

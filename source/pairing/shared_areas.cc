@@ -92,6 +92,8 @@ namespace conetact::pairing
         for (auto at = begin; at != end; ++at)
           {
             const FaceNet::Face &face = slave.all()[at->second];
+            // A face that does not look at what is met is no part of the row,
+            // and of its area neither.
             if (-(face.outward * row.n) < cosine)
               continue;
             const double area = face_area(face.corners);

@@ -150,9 +150,11 @@ namespace conetact::pairing
     {
       const double area = whole.area + part.area;
       const double a    = area > 0 ? whole.area / area : .5;
-      whole.mu_1        = a * whole.mu_1 + (1 - a) * part.mu_1;
-      whole.mu_2        = a * whole.mu_2 + (1 - a) * part.mu_2;
-      whole.spacing     = std::max(whole.spacing, part.spacing);
+      // Coefficients are means over both areas. Laws that vary, layers and
+      // bonds are those of the first contact, on the area of both.
+      whole.mu_1    = a * whole.mu_1 + (1 - a) * part.mu_1;
+      whole.mu_2    = a * whole.mu_2 + (1 - a) * part.mu_2;
+      whole.spacing = std::max(whole.spacing, part.spacing);
       whole.outward.insert(whole.outward.end(),
                            part.outward.begin(),
                            part.outward.end());
@@ -160,6 +162,9 @@ namespace conetact::pairing
     }
   } // namespace
 
+  /* Two contacts of one pair of bodies have both a row for a node on the seam
+     of their faces, along one normal: reactions would be told in their sum
+     only. The node stays with the first contact. */
   std::vector<unsigned int>
   unite_shared(const std::vector<Contact>                   &contacts,
                const std::vector<const bodies::Structure *> &structures,

@@ -86,6 +86,9 @@ namespace conetact::pairing
     return play + (acts_both_ways() ? preload : -preload) * compliance();
   }
 
+  /* From the Master point to the Point; the other way round for springs that
+     only pull: so a reaction that presses, r_n > 0, is a tension of the
+     spring. */
   Tensor<1, 3>
   SpringLaw::normal() const
   {

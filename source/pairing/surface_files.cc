@@ -125,6 +125,8 @@ namespace conetact::pairing
             face.push_back(obj_vertex(word, mesh.points.size()));
           if (face.size() < 3)
             throw Fault{"a face has fewer than three vertices"};
+          // Polygons of more corners become fans of triangles about their first
+          // one, as if they were convex and plane.
           if (face.size() <= 4)
             mesh.faces.push_back(face);
           else

@@ -112,6 +112,10 @@ namespace conetact::pairing
       return sum;
     }
 
+    /**
+     * A surface tells inside from outside if it is closed, has areas, and looks
+     * outwards: each of these is refused with a place in it.
+     */
     void
     check(const SurfaceFaces &mesh, const std::string &in)
     {
@@ -157,6 +161,8 @@ namespace conetact::pairing
         return facets->of_face(net.nearest(p).face);
       }
 
+      /* On a face its normal, at edges and corners the direction to the node:
+         gaps are then distances, and no node jumps where faces meet. */
       Closest
       closest(const Point<3> &p, const double) const override
       {

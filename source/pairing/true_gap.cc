@@ -51,6 +51,8 @@ namespace conetact::pairing
       {
         const double allowed =
           part * std::max(moved.node->spacing, indentation);
+        // Small kinematics has the gap that is linear in the displacement, at
+        // the undeformed node: what it is off by is judged where bodies touch.
         const double actual = true_gap(moved);
         // A node that is apart by both gaps has no force that could be wrong.
         if (std::min(actual, moved.gap) > allowed)
