@@ -343,7 +343,10 @@ namespace conetact::contact
         // A master meets several nodes: it has the state of the one that it
         // carries most of.
         if (weight > largest)
-          row.state = slave.state;
+          {
+            row.state  = slave.state;
+            row.normal = -slave.normal;
+          }
         largest = std::max(largest, weight);
         row.area += weight * slave.area;
         // Weights are a little below zero beside a face that is overhung.
@@ -368,7 +371,9 @@ namespace conetact::contact
         const Means     &means    = is_met ? weighed : plain;
         if (!is_met)
           row.state = solvers::NodeState::open;
-        row.normal               = means.normal / means.normal.norm();
+        // Where slaves meet it from opposite sides their normals have no mean.
+        if (means.normal.norm() > rounding * means.weight)
+          row.normal = means.normal / means.normal.norm();
         std::tie(row.t1, row.t2) = pairing::tangents(row.normal, dim);
         const auto in_row        = [&](const Tensor<1, 3> &v) {
           return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});

@@ -36,17 +36,23 @@ namespace conetact::contact
       return v;
     }
 
-    /** Whether no body turns along another one, or along the obstacles. */
+    /** Whether no body turns along another one, or along the obstacles, as
+     * nodes tell whose velocity has a part along their tangents. */
     bool
     are_translations(const ContactPoints             &points,
-                     const std::vector<std::size_t>  &nodes,
+                     const Mechanism                 &m,
                      const std::vector<Tensor<1, 3>> &v)
     {
       constexpr int                              obstacles = -1;
       std::map<std::pair<int, int>, std::size_t> first; // of each pair
+      std::vector<std::size_t>                   nodes = m.slide;
+      nodes.insert(nodes.end(), m.stay.begin(), m.stay.end());
+      nodes.insert(nodes.end(), m.open.begin(), m.open.end());
       return std::all_of(nodes.begin(), nodes.end(), [&](const std::size_t i) {
         const pairing::ContactNode &node = *points[i].node;
-        const auto                  pair =
+        if (points[i].directions.size() < 2)
+          return true;
+        const auto pair =
           std::make_pair(static_cast<int>(node.body),
                          node.masters.empty() ? obstacles :
                                                 static_cast<int>(node.master));
@@ -64,9 +70,9 @@ namespace conetact::contact
     {
       if (m.slide.empty() && m.stay.empty())
         return "lifting";
-      // A single node that slides while others lift is the edge of a body that
-      // tips.
-      if (m.stay.empty() && are_translations(points, m.slide, v) &&
+      // Bodies that stay on one that slides go with it. A single node that
+      // slides while others lift is the edge of a body that tips.
+      if (!m.slide.empty() && are_translations(points, m, v) &&
           (m.slide.size() > 1 || !lifts))
         return "sliding";
       return lifts ? "tipping" : "turning";

@@ -4,6 +4,7 @@
 #include "conetact/contact/rigid_ties.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -92,17 +93,31 @@ namespace conetact::contact
   RigidTies::squares(const unsigned int               first_body,
                      const std::vector<Eigen::Index> &among) const
   {
-    const auto      n   = static_cast<Eigen::Index>(among.size());
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    const auto n  = static_cast<Eigen::Index>(among.size());
+    const auto at = [](const Eigen::Index i) {
+      return static_cast<std::size_t>(i);
+    };
+    Eigen::MatrixXd           sum = Eigen::MatrixXd::Zero(n, n);
+    std::vector<Eigen::Index> place; // of each amount among these, or -1
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        place.resize(std::max(place.size(), at(among[at(k)]) + 1), -1);
+        place[at(among[at(k)])] = k;
+      }
+    // A tie sees the modes of two or three bodies, of however many there are.
+    std::vector<std::pair<Eigen::Index, double>> seen;
     for (const Tie &tied : ties)
       if (first[tied.node->body] == first_body)
         {
-          const Eigen::Index  n_one = tied.rows.begin()->second.size();
-          RigidModes::Amounts all   = RigidModes::Amounts::Zero(
-            n_one * static_cast<Eigen::Index>(first.size()));
-          add(1, tied, all);
-          const Eigen::VectorXd r = all(among);
-          sum += r * r.transpose();
+          seen.clear();
+          for (const auto &[body, r] : tied.rows)
+            for (Eigen::Index k = 0; k < r.size(); ++k)
+              if (const std::size_t amount = at(body * r.size() + k);
+                  amount < place.size() && place[amount] >= 0)
+                seen.emplace_back(place[amount], r[k]);
+          for (const auto &[i, r_i] : seen)
+            for (const auto &[j, r_j] : seen)
+              sum(i, j) += r_i * r_j;
         }
     return sum;
   }

@@ -220,8 +220,12 @@ namespace conetact::pairing
         return {{{cross_product_3d(p - corners[0], normal)[2] / across, 0}}};
       }
     // x(a, b) + s n = p: products with n leave two equations for a and b.
-    auto at = near;
-    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+    // Steps fall to the rounding of places over the size of the face.
+    constexpr double exact = 1e-14, enough = 1e-9;
+    auto             at   = near;
+    double           step = 1;
+    for (unsigned int iteration = 0; iteration < 20 && step >= exact;
+         ++iteration)
       {
         const auto         g    = face_tangents(corners, at);
         const Tensor<1, 3> miss = Tensor<1, 3>(p) - image(corners, at);
@@ -231,10 +235,9 @@ namespace conetact::pairing
         const double da = cross_product_3d(miss, g[1]) * normal / det;
         const double db = cross_product_3d(g[0], miss) * normal / det;
         at              = {{at[0] + da, at[1] + db}};
-        if (std::abs(da) + std::abs(db) < 1e-14)
-          return at;
+        step            = std::abs(da) + std::abs(db);
       }
-    return {};
+    return step < enough ? std::optional(at) : std::nullopt;
   }
 
   /* A segment has a length. Of a quadrilateral half the product of its

@@ -5,6 +5,7 @@
 
 #include "conetact/pairing/corner_parts.h"
 #include "conetact/pairing/mortar_rows.h"
+#include "conetact/pairing/node_to_face.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -18,9 +19,10 @@ namespace conetact::pairing
     /** Gives each node the row of the side of its edge that looks most against
      * the obstacle's normal. */
     std::map<unsigned int, const MortarRow *>
-    facing_sides(const Contact           &contact,
-                 const bodies::Structure &body,
-                 const MortarRows        &sides)
+    facing_sides(const Contact                        &contact,
+                 const bodies::Structure              &body,
+                 const std::map<unsigned int, double> &spacing,
+                 const MortarRows                     &sides)
     {
       std::map<unsigned int, const MortarRow *> result;
       std::map<unsigned int, double>            least;
@@ -28,7 +30,7 @@ namespace conetact::pairing
         {
           const Tensor<1, 3> n =
             contact.obstacle->shape
-              ->closest(body.position(side.node), std::sqrt(side.whole))
+              ->closest(body.position(side.node), spacing.at(side.node))
               .normal;
           const double cosine     = side.normal * n / side.normal.norm();
           const auto [at, is_new] = least.emplace(side.node, cosine);
@@ -58,12 +60,13 @@ namespace conetact::pairing
     : contact(c)
     , body(b)
     , net(body, surface)
+    , spacing(spacings(surface, body))
     , thickness(thickness_of(surface, net.all(), body.is_axisymmetric()))
   {
     Assert(contact.obstacle != nullptr,
            dealii::ExcMessage("Bodies are met by mortar rows."));
     MortarRows sides(net.all(), contact.sharp_edge, body.is_axisymmetric());
-    const auto facing = facing_sides(contact, body, sides);
+    const auto facing = facing_sides(contact, body, spacing, sides);
     for (std::size_t f = 0; f < net.all().size(); ++f)
       {
         const FaceNet::Face &face = net.all()[f];
@@ -92,7 +95,7 @@ namespace conetact::pairing
     constexpr double least     = .5; // cosine, beside edges of an obstacle
     const auto       normal_at = [&](const unsigned int i) {
       return contact.obstacle->shape
-        ->closest(body.position(i), std::sqrt(row.area))
+        ->closest(body.position(i), spacing.at(node))
         .normal;
     };
     const Tensor<1, 3> own = normal_at(node);
@@ -134,7 +137,7 @@ namespace conetact::pairing
     const auto own = closest(node.node);
     if (!own)
       return {};
-    Met met{0, own->gap, own->normal, {}};
+    Met met{0, own->normal, {}};
     for (const auto &[slave, weight] : row.weights)
       {
         const auto there = closest(slave);

@@ -32,11 +32,9 @@ namespace conetact::pairing
     /** A node up to this far beyond a rim, in sizes of its face, still faces
      * the master: coordinates of mesh files have six to eight digits. */
     constexpr double face_overhang = 1e-2;
-    /**
-     * A node that faced the master where bodies stood last does so up to this
+    /** A node that faced the master where bodies stood last does so up to this
      * overhang, in sizes of its face. Without the difference, contacts that
-     * slide would be found with the node and without it in turn.
-     */
+     * slide would be found with the node and without it in turn. */
     constexpr double face_overhang_of_faced = .1;
     /**
      * Dual functions change their sign: where little of a face is seen, the

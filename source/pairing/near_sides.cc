@@ -335,9 +335,9 @@ namespace conetact::pairing
                       patch.surface.nodes.end(),
                       [&](const bodies::SurfaceNode &node) {
                         const auto met =
-                          shape.closest(node.position, patch.edge);
-                        return met.gap <= gap_allowed(patch.edge) &&
-                               looks_at(node, met.normal, law);
+                          shape.closest_if_any(node.position, patch.edge);
+                        return met && met->gap <= gap_allowed(patch.edge) &&
+                               looks_at(node, met->normal, law);
                       }))
         sides.ids.insert(patch.id);
     return sides.ids.empty() ? std::nullopt : std::optional(sides);

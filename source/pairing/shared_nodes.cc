@@ -150,10 +150,14 @@ namespace conetact::pairing
     {
       const double area = whole.area + part.area;
       const double a    = area > 0 ? whole.area / area : .5;
-      // Coefficients are means over both areas. Laws that vary, layers and
-      // bonds are those of the first contact, on the area of both.
-      whole.mu_1    = a * whole.mu_1 + (1 - a) * part.mu_1;
-      whole.mu_2    = a * whole.mu_2 + (1 - a) * part.mu_2;
+      // Coefficients are means over both areas. Where either contact has a law
+      // its coefficient is a stand-in, and laws have no mean: those of the
+      // first contact hold on the area of both.
+      if (!whole.friction && !part.friction)
+        {
+          whole.mu_1 = a * whole.mu_1 + (1 - a) * part.mu_1;
+          whole.mu_2 = a * whole.mu_2 + (1 - a) * part.mu_2;
+        }
       whole.spacing = std::max(whole.spacing, part.spacing);
       whole.outward.insert(whole.outward.end(),
                            part.outward.begin(),

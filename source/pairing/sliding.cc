@@ -81,7 +81,6 @@ namespace conetact::pairing
       if (!closest)
         return {};
       return Met{closest->gap,
-                 closest->gap,
                  closest->normal,
                  node.position + own - closest->gap * closest->normal};
     }
@@ -109,7 +108,7 @@ namespace conetact::pairing
       const double       gap = node.gap + node.n * last;
       const Tensor<1, 3> n   = motion.direction_to_own(node.n);
       // The last one stays where there is no normal, as deep inside.
-      const Met last_one{gap, gap, n, node.position + own - gap * n};
+      const Met last_one{gap, n, node.position + own - gap * n};
       const Met met = (faces.all == nullptr ?
                          met_by_node(node, own) :
                          faces.all->meet(node, motion, faces.displacement))

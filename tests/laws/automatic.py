@@ -283,6 +283,15 @@ def fork(laws):
     laws.demand("  no slower method is tried", "slower ones are tried" not in log_of(run))
 
 
+def disc_in_a_bore(laws):
+    """A quarter of a disc has a node in the centre of the bore, which is near to none of it."""
+    run = laws.run({"Dimension": 2, "Contacts": "automatic", "Obstacle bore": {"Shape": "sphere", "Radius": 1.001, "Side": "inside"},
+                    "Body disc": {"Mesh": {"Generator": "quarter_hyper_ball", "Arguments": "0, 0 : 1", "Global refinements": 2},
+                                  "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
+                    "Support left": support(1, "x, y", body="disc"), "Output": {"VTU": 0}})
+    demand_pairs(laws, "a disc in a bore", run, pairs("disc bore"))
+
+
 def going_on(laws):
     """A run that is continued finds the same contacts, and may not change their law."""
     scene = merge(wall(2, .5), {"Time": {"End": 2, "Increments": 2}, "Output": {"Checkpoint": 1}})
@@ -304,4 +313,5 @@ def automatic(laws):
     arch(laws)
     pin_in_lug(laws)
     fork(laws)
+    disc_in_a_bore(laws)
     going_on(laws)

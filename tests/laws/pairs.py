@@ -55,7 +55,9 @@ def pairs(laws):
     mean = sum(row["r_n"] for row in ring.rows if row["contact"] == "joint") / math.pi
     laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
     rails(laws)
+    slot(laws)
     seams(laws)
+    seams_of_laws(laws)
     sliding_seams(laws)
     recesses(laws)
     borders(laws)
@@ -138,6 +140,22 @@ def recesses(laws):
         laws.demand("  no node goes into a wall", all(r["gap"] > -1e-9 for r in one.nodes.values()))
 
 
+def seams_of_laws(laws):
+    """A node that stands in a contact with a law and in one without obeys the one of the first: no mean of both is a law."""
+    for pairing in ("node to face", "mortar"):
+        for names in (("rough", "smooth"), ("smooth", "rough")):
+            met = {"Body": "slave", "Master body": "master", "Master boundary ids": 3, "Pairing": pairing, "Kinematics": "small"}
+            faces = {"rough": {"Boundary ids": 2, "Friction coefficient": .2}, "smooth": {"Boundary ids": 7, "Compliance": 1e-9}}
+            run = laws.run({"Dimension": 2, "Body slave": box((8, 4), (2.0, 1.0), **{"Boundary ids": "7: y < 1e-6 && x > 1"}),
+                            "Body master": box((12, 4), (3.0, 1.0), (-.5, -1.0)),
+                            **{f"Contact {name}": {**met, **faces[name]} for name in names},
+                            "Support top": support(3, "x, y", "0.02*max(t - 1, 0) ; -0.002*min(t, 1)", "slave"),
+                            "Support ground": support(2, "x, y", body="master"), "Time": {"End": 2, "Increments": 4}, "Output": {"VTU": 0}})
+            for name, mu in (("rough", .2), ("smooth", 0)):
+                most = max(abs(row["r_t1"]) / row["r_n"] for row in run.rows if row["contact"] == name and row["r_n"] > 1e-9)
+                laws.check(f"seam of {names[0]} and {names[1]}, {pairing}: friction of {name}", most, mu + 1e-9)
+
+
 def sliding_seams(laws):
     """A sole in two contacts that slides over its master and its rim is one all the way."""
     for dim, pairing in itertools.product((2, 3), ("mortar", "node to face")):
@@ -197,6 +215,22 @@ def seams(laws):
         laws.demand(f"{what}: the same nodes", set(one.nodes) == set(two.nodes))
         laws.check("  reactions of one contact", max(abs(r[c] - two.nodes[at][c]) / largest for at, r in one.nodes.items()
                                                      for c in ("r_n", "area") + ("r_t1",)), 1e-9)
+
+
+def slot(laws):
+    """A beam in the slot of one body, which meets it from below and from above: its rows are numbers, and it is held by the upper side."""
+    frame = {"Kind": "frame", "Sections": "s", "Frame": {"Nodes": "1: 1, 1.5 : 1 ; 2: 2, 1.5 : 1", "Members": "1-2: s"},
+             "Section s": {"Young modulus": 1000, "Area": .1, "Moment of inertia": .001}}
+    slotted = {"Mesh": {"Generator": "cheese", "Arguments": "1, 1", "Global refinements": 2,
+                        "Boundary ids": "7: (abs(y - 1) < 1e-6 || abs(y - 2) < 1e-6) && x > 1 && x < 2 ; 8: x < 1e-6"},
+               "Material": {"Young modulus": 1000, "Poisson ratio": .3}}
+    run = laws.run({"Dimension": 2, "Body ring": slotted, "Body beam": frame, "Output": {"VTU": 0},
+                    "Contact c": {"Body": "ring", "Boundary ids": 7, "Master body": "beam", "Master boundary ids": 1, "Kinematics": "small"},
+                    "Support ring": support(8, "x, y", body="ring"), "Support beam": support(1, "x, y", "0 ; 0.51*t", "beam")})
+    end = run.increments[-1]
+    laws.demand("a beam in a slot: it presses up", end["c_f_y"] > 0)
+    laws.check("  action is reaction", abs(end["c_f_y"] + end["c_master_f_y"]) / end["c_f_y"], 1e-12)
+    laws.check("  normals of its rows have length 1", max(abs(math.hypot(row["n_x"], row["n_y"]) - 1) for row in run.last()), 1e-12)
 
 
 def rails(laws):

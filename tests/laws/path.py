@@ -57,6 +57,21 @@ def path_limits(laws):
             laws.demand("  mechanism.vtu", (run.folder / "mechanism.vtu").exists())
 
 
+def path_sled(laws):
+    """A block that stays on a sled leaves a wall with it: they slide, and nothing tips, though a gap opens."""
+    sled = box((8, 2), (2.0, .3), (0.0, 0.0))
+    block = box((4, 4), (1.0, .6), (0.0, .3))
+    run = laws.run({"Dimension": 2, "Body sled": sled, "Body block": block, "Obstacle table": floor(2),
+                    "Obstacle wall": {"Shape": "half space", "Normal": (1, 0)},
+                    "Contact bottom": contact("sled", 2, "table", mu=.15), "Contact joint": joint("block", 2, "sled", 3, **{"Friction coefficient": .5}),
+                    "Contact side": contact("block", 0, "wall"), "Load weight": load("traction", "0 ; -10", 3, "block"),
+                    "Load push": load("traction", "10*t ; 0", 1, "sled"), "Time": {"Times": 3}, "Solver": {"Method": "load path"},
+                    "Output": {"VTU": 0}})
+    events = Events(run.folder)
+    laws.check("a block on a sled beside a wall: limit load", abs(events.parameter * 10 * .3 / (.15 * 10) - 1), 1e-9)
+    laws.demand(f"  {events.words}", events.words == "limit load: sliding")
+
+
 def path_bar(laws):
     """[P] Example 2: the nodes slip one by one from the end, p_j = f q h (j + 1/2) / F."""
     bar = entries(Load_weight__Value="0 ; -3975", Load_pull__Value="243750*t ; 0", Time__End=1.3,
@@ -266,6 +281,7 @@ def path(laws):
     path_far(laws)
     path_prestress(laws)
     path_limits(laws)
+    path_sled(laws)
     path_bar(laws)
     path_beam(laws)
     path_sheet_pile(laws)

@@ -88,6 +88,22 @@ def vees(laws):
                 laws.check(f"{element} in a vee of {facing}, {around} round, {weight:g}: {side}", math.dist(force, exact) / weight, 1e-6)
 
 
+def implicit_units(laws):
+    """Half a disc of second degree on a bump that a function gives: lengths in another unit are the same scene."""
+    def run(unit):
+        half = {"Mesh": {"Generator": "half_hyper_ball", "Arguments": f"0, 0 : {unit!r}", "Global refinements": 3, "Rotation": -90,
+                         "Translation": (0, unit)}, "Element": "Q2", "Material": {"Young modulus": 1000 / unit**2, "Poisson ratio": .3}}
+        return laws.run({"Dimension": 2, "Body disc": half, "Support top": support(1, "x, y", f"0 ; {-.05 * unit!r}*t", "disc"),
+                         "Obstacle bump": {"Shape": "implicit", "Function": f"sqrt(x^2 + (y + {.5 * unit!r})^2) - {.5 * unit!r}"},
+                         "Contact touch": {"Body": "disc", "Boundary ids": 0, "Obstacle": "bump", "Friction coefficient": .2,
+                                           "Kinematics": "small"}, "Output": {"VTU": 0}})
+    one = run(1.0)
+    for unit in (1e-3, 1e3):
+        other = run(unit)
+        laws.check(f"disc on a bump, in units of {1 / unit:g}: reactions",
+                   max(abs(a["r_n"] - b["r_n"] * unit) for a, b in zip(one.last(), other.last())) / one.largest("r_n"), 1e-7)
+
+
 def pin_in_bore(element, around, bore, **entries):
     """Half a pin is pressed into half a bore that is a little wider."""
     clearance = .002

@@ -42,7 +42,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "meshes": meshes.meshes, "mesh-kinds": mesh_kinds.mesh_kinds, "adjusted": meshes.adjusted, "facets": meshes.facets,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent,
-            "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins, "quadratic-vees": quadratic_round.vees,
+            "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins, "quadratic-vees": quadratic_round.vees, "quadratic-units": quadratic_round.implicit_units,
             "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic,
             "varying-friction": varying_friction.varying_friction, "ellipses": ellipses.ellipses, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn, "worn-half-planes": worn.half_planes, "worn-off": worn.worn_off, "worn-faster": worn.faster,
             "uniqueness": uniqueness.uniqueness}

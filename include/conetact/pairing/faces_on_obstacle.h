@@ -8,6 +8,7 @@
 #include "conetact/pairing/face_net.h"
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -49,9 +50,10 @@ namespace conetact::pairing
     struct Met
     {
       double       gap;
-      double       least;  ///< gap of the nodes that it is a mean over
       Tensor<1, 3> normal; ///< at the corner: on planes of symmetry in them
       Point<3>     foot;   ///< on the obstacle
+      /** Gap of the nodes that it is a mean over. */
+      double least = std::numeric_limits<double>::max();
     };
     /** Where the obstacle and the nodes are; nothing where it has no normal at
      * one of them. */
@@ -80,11 +82,12 @@ namespace conetact::pairing
     void
     weigh(const unsigned int node, Row &row) const;
 
-    const Contact              &contact;
-    const bodies::Structure    &body;
-    FaceNet                     net;
-    double                      thickness;
-    std::map<unsigned int, Row> rows; ///< by their nodes
+    const Contact                 &contact;
+    const bodies::Structure       &body;
+    FaceNet                        net;
+    std::map<unsigned int, double> spacing; ///< of nodes [length]
+    double                         thickness;
+    std::map<unsigned int, Row>    rows; ///< by their nodes
   };
 } // namespace conetact::pairing
 
