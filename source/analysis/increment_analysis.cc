@@ -89,7 +89,8 @@ namespace conetact::analysis
         Step                          step   = finish(batch);
         save_state(step.outcome == Outcome::failed ||
                    solved.outcome == Outcome::failed);
-        tell_progress();
+        if (n_on_disk > 0) // for a process that is ended without being asked
+          Interruption::know(interrupted());
         if (step.outcome == Outcome::accepted)
           step = solved;
         next = step.next;

@@ -111,13 +111,6 @@ namespace conetact::analysis
   }
 
   void
-  IncrementAnalysis::tell_progress() const
-  {
-    if (n_on_disk > 0)
-      Interruption::know(interrupted());
-  }
-
-  void
   IncrementAnalysis::restore_state()
   {
     Archive    archive = scene.restart->state;

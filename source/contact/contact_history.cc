@@ -75,18 +75,6 @@ namespace conetact::contact
       }
   }
 
-  /* The law counts the slip from the start of the increment, and the gap from
-     zero: v = H u + o + shift. */
-  Eigen::VectorXd
-  ContactHistory::shift() const
-  {
-    const solvers::ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd               s      = -q;
-    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      s[layout.normal(i)] = initial_gap[i] + laws_know.worn[i];
-    return s;
-  }
-
   // Bodies that are moved until they touch miss each other by rounding only,
   // which must not press them.
   Eigen::VectorXd
@@ -95,9 +83,16 @@ namespace conetact::contact
     AssertDimension(load.offset.size(), q.size());
     using conetact::solvers::largest;
     const solvers::ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd               sum    = load.offset + shift();
-    Eigen::VectorXd               moving = load.offset;
-    double moved = largest(load.placement) + largest(load.prescribed);
+    // The law counts the slip from the start of the increment, and the gap from
+    // zero: v = H u + o + shift.
+    Eigen::VectorXd sum = load.offset - q;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const Eigen::Index k = layout.normal(i);
+        sum[k] = load.offset[k] + (initial_gap[i] + laws_know.worn[i]);
+      }
+    Eigen::VectorXd moving = load.offset;
+    double          moved  = largest(load.placement) + largest(load.prescribed);
     if (const Eigen::VectorXd motions =
           model->elasticity().moved_by(elastic.base);
         motions.size() > 0)

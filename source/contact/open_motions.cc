@@ -116,7 +116,6 @@ namespace conetact::contact
     std::vector<Eigen::RowVectorXd> opposed, bounded;
     std::vector<double>             rooms;
     const auto bound = [&](const Eigen::RowVectorXd &row, const double r) {
-      // A row that has no room may still become larger: gaps may open.
       bounded.push_back(row);
       rooms.push_back(std::max(0., r));
     };

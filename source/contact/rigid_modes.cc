@@ -228,6 +228,25 @@ namespace conetact::contact
     return sum;
   }
 
+  /* A unit amount of a turning mode turns a node by 1/size, and resultants()
+     takes 1/size of a moment: size^2 between them leaves 1, as along a
+     direction. */
+  RigidModes::Amounts
+  RigidModes::products(Eigen::VectorXd u) const
+  {
+    AssertDimension(u.size(), offset.back());
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      {
+        const unsigned int n_c  = bodies.structures[body]->n_components();
+        const double       size = frames[body].size;
+        for (Eigen::Index dof = offset[body]; dof < offset[body + 1];
+             dof += n_c)
+          for (unsigned int c = bodies.dim; c < n_c; ++c)
+            u[dof + c] *= size * size;
+      }
+    return resultants(u);
+  }
+
   /* The body that moves most, to be named in a sentence. */
   RigidModes::Motion
   RigidModes::largest(const Amounts &modes) const

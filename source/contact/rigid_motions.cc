@@ -355,10 +355,10 @@ namespace conetact::contact
 
 
 
-  /* R^T R over all nodes and dofs, of one mode of all bodies at a time: bodies
-     do not see each other. Least squares (free_in) want this of all of them;
-     the products of a rigid body, whose nodes are as many as meet it, would
-     weigh by chance and are 1. */
+  /* R^T L R over all nodes and dofs, of one mode of all bodies at a time:
+     bodies do not see each other. Least squares (free_in) want this of all of
+     them; the products of a rigid body, whose nodes are as many as meet it,
+     would weigh by chance and are 1. */
   void
   RigidMotions::multiply_free()
   {
@@ -368,10 +368,10 @@ namespace conetact::contact
         Amounts one = none();
         for (Index first = 0; first < one.size(); first += n_one)
           one[first + k] = 1;
-        const Amounts products = resultants(field(one));
+        const Amounts of_one = products(field(one));
         for (Index first = 0; first < one.size(); first += n_one)
           gram.col(first + k).segment(first, n_one) =
-            products.segment(first, n_one);
+            of_one.segment(first, n_one);
       }
     // free_in() fits motions to the displacements of all nodes by least
     // squares: here a rigid body counts by its own nodes.

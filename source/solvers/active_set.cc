@@ -31,31 +31,43 @@ namespace conetact::solvers
                    NodeState::stick);
     }
 
-    /**
-     * States of a start that has none: of nodes that meet something those whose
-     * gap is many times the median are open, the others stick. None where gaps
-     * are alike: then all stick anyway.
-     */
-    std::vector<NodeState>
-    near_ones_stick(const ContactProblem &problem)
+    /** Gaps of nodes that meet something [length]. */
+    std::vector<double>
+    gaps_of(const ContactProblem &problem)
     {
-      constexpr double far_away = 10; // of the median gap
-
       std::vector<double> gaps;
       for (Eigen::Index i = 0; i < problem.gap.size(); ++i)
         if (!problem.is_apart(i))
           gaps.push_back(problem.gap[i]);
+      return gaps;
+    }
+
+    /**
+     * States of starts that have none, one after the other: what touches
+     * sticks, or what is no further away than many times the median gap; the
+     * rest is open. None where gaps are alike: then all stick anyway.
+     */
+    std::vector<std::vector<NodeState>>
+    near_ones_stick(const ContactProblem &problem)
+    {
+      constexpr double touching = 1e-6; // of the largest gap
+      constexpr double far_away = 10;   // of the median gap
+
+      std::vector<std::vector<NodeState>> starts;
+      std::vector<double>                 gaps = gaps_of(problem);
       if (gaps.empty())
-        return {};
-      const auto middle = gaps.begin() + static_cast<long>(gaps.size() / 2);
-      std::nth_element(gaps.begin(), middle, gaps.end());
-      const double limit = far_away * *middle;
-      if (problem.gap.maxCoeff() <= limit)
-        return {};
-      std::vector<NodeState> states;
-      for (const double gap : problem.gap)
-        states.push_back(gap > limit ? NodeState::open : NodeState::stick);
-      return states;
+        return starts;
+      std::sort(gaps.begin(), gaps.end());
+      for (const double limit :
+           {touching * gaps.back(), far_away * gaps[gaps.size() / 2]})
+        if (gaps.front() <= limit && limit < gaps.back())
+          {
+            starts.emplace_back();
+            for (const double gap : problem.gap)
+              starts.back().push_back(gap > limit ? NodeState::open :
+                                                    NodeState::stick);
+          }
+      return starts;
     }
   } // namespace
 
@@ -175,11 +187,14 @@ namespace conetact::solvers
       if (report.converged)
         state = other;
     };
-    ContactState near = start;
     if (start.node.empty())
-      near.node = near_ones_stick(problem);
-    if (near.node != start.node)
-      try_from(near, &ActiveSet::solve_from_states);
+      for (auto &states : near_ones_stick(problem))
+        if (!report.converged)
+          {
+            ContactState near = start;
+            near.node         = std::move(states);
+            try_from(near, &ActiveSet::solve_from_states);
+          }
     if (!report.converged && !problem.has_cones())
       try_from(start, &ActiveSet::solve_without_fall);
   }

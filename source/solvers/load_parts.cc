@@ -166,24 +166,19 @@ namespace conetact::solvers
         done = next;
         size = std::min(2 * size, 1 - done);
       }
+    // Slips of the parts add up; the gap is that of the last one.
+    const auto take = [&] {
+      state   = now;
+      state.v = slip + start_of(system, part.gap);
+    };
     report.converged = done >= 1;
-    if (report.converged)
-      {
-        report.reason.clear();
-        state = now;
-        // Slips of the parts add up; the gap is that of the last one.
-        state.v = slip + start_of(system, part.gap);
-        return report;
-      }
+    if (report.converged || (done > 0 && !system.large))
+      take(); // or where the increment may have its limit
     std::ostringstream text;
     text.precision(4);
-    if (done > 0 && !system.large) // where the increment may have its limit
-      {
-        state   = now;
-        state.v = slip + start_of(system, part.gap);
-      }
-    text << report.reason << "; solved up to " << done
-         << " of the load of this increment";
+    if (!report.converged)
+      text << report.reason << "; solved up to " << done
+           << " of the load of this increment";
     report.reason = text.str();
     return report;
   }

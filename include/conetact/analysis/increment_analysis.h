@@ -110,9 +110,6 @@ namespace conetact::analysis
     /** What is on disk and how to go on, a sentence. */
     std::string
     interrupted() const;
-    /** For a process that is ended without being asked. */
-    void
-    tell_progress() const;
     std::string
     name(const model::IncrementRecord &record) const override;
 

@@ -170,8 +170,6 @@ namespace conetact::contact
       elastic.motions = elastic.base =
         Eigen::VectorXd::Zero(model->motions.n_free());
     }
-    Eigen::VectorXd
-    shift() const;
     /** What moves contacts without strain until the end with `load`. */
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;

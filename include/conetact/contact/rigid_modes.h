@@ -39,6 +39,10 @@ namespace conetact::contact
     /** R^T f: forces on all dofs against all modes. */
     Amounts
     resultants(const Eigen::VectorXd &forces) const;
+    /** R^T L u, where L makes a turn of a node the way that it is at the end of
+     * its body: least squares of displacements depend on no unit. */
+    Amounts
+    products(Eigen::VectorXd u) const;
     /** direction . R at p, the modes of a body. */
     Eigen::RowVectorXd
     row(const unsigned int  body,

@@ -62,7 +62,7 @@ namespace conetact::contact
     Eigen::VectorXd
     free_in(const Eigen::VectorXd &u) const
     {
-      return free_factors.solve(free_modes.transpose() * resultants(u));
+      return free_factors.solve(free_modes.transpose() * products(u));
     }
     /**
      * Products of the free motions with each other: those of their fields; of a
