@@ -3,7 +3,7 @@
 """A scene that is extruded, turned, mirrored or given in other units has the same results."""
 import math
 
-from support.scenes import ELEMENTS, box, load, merge, press_and_shear, support, turned_scene, with_element
+from support.scenes import ELEMENTS, box, contact, floor, load, merge, press_and_shear, support, turned_scene, with_element
 from support.tables import REACTION, in_space
 from support.vectors import IDENTITY, plus, rotation, scaled
 
@@ -71,7 +71,26 @@ def mirror(laws):
             laws.same(f"{dim}D, along {'xyz'[axis]}", *runs, matrix=m)
 
 
+def table(length):
+    """On a smooth floor, of bars in space; forces in N. Where it stands is open: the shortest motion is taken."""
+    places = ((0, 0, 0), (2, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 1), (0, 1, 1), (.5, 0, 1))
+    nodes = [f"{i}: {', '.join(repr(x * length) for x in p)}{' : 1' if p[2] == 0 else ''}" for i, p in enumerate(places, 1)]
+    section = {"Young modulus": 2e11 / length**2, "Shear modulus": 8e10 / length**2, "Area": 1e-3 * length**2,
+               "Moment of inertia": 1e-6 * length**4, "Torsion constant": 2e-6 * length**4}
+    forces = {"w1": (3, (0, 0, -1000)), "w2": (4, (0, 0, -1000)), "w3": (5, (0, 0, -1000)), "a": (3, (0, 750, 0)), "b": (4, (0, 250, 0)),
+              "c": (6, (0, -1000, 0))}
+    return {"Dimension": 3, "Output": {"VTU": 0}, "Obstacle floor": floor(3), "Contact feet": contact("table", 1),
+            "Body table": {"Kind": "frame", "Sections": "s", "Section s": section,
+                           "Frame": {"Nodes": " ; ".join(nodes), "Members": "1-4: s ; 2-5: s ; 3-6: s ; 4-7-5: s ; 4-6: s"}},
+            **{f"Load {name}": {"Body": "table", "Kind": "point force", "Point": ", ".join(repr(x * length) for x in places[at]),
+                                "Value": " ; ".join(f"{f}*t" for f in force)} for name, (at, force) in forces.items()}}
+
+
 def units(laws):
+    tables = [laws.run(table(length)).last() for length in (1.0, 1e3)]
+    laws.check("a table of bars on a smooth floor in m and mm: shortest motions",
+               max(abs(a[f"u_t{k}"] - b[f"u_t{k}"] / 1e3) for a, b in zip(*tables) for k in (1, 2)) / abs(tables[0][0]["u_t1"]), 1e-8)
+
     def scene(dim, force, length):
         stress = force / length**2
         tree = press_and_shear(dim)
