@@ -5,7 +5,7 @@
 
 #include "conetact/pairing/corner_parts.h"
 #include "conetact/pairing/mortar_rows.h"
-#include "conetact/pairing/node_to_face.h"
+#include "conetact/pairing/spacings.h"
 
 #include <deal.II/base/exceptions.h>
 

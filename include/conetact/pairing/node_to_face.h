@@ -15,10 +15,6 @@
 
 namespace conetact::pairing
 {
-  /** The longest edge of the faces at each node of a surface [length]. */
-  std::map<unsigned int, double>
-  spacings(const bodies::Surface &surface, const bodies::Structure &body);
-
   /** Diagonal of the box around two bodies: no gap between them is larger
    * [length]. */
   double
