@@ -8,6 +8,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <lapacke.h>
+
 #include <cmath>
 
 namespace conetact::condensed
@@ -67,6 +69,20 @@ namespace conetact::condensed
       return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
     }
 
+    /** From the Cholesky factor, in n^3 operations: to solve for the columns of
+     * a unit matrix would take twice as many. Throws SingularMatrix. */
+    MatrixXd
+    inverse(MatrixXd A)
+    {
+      const auto n = static_cast<lapack_int>(A.rows());
+      if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', n, A.data(), n) != 0 ||
+          LAPACKE_dpotri_work(LAPACK_COL_MAJOR, 'L', n, A.data(), n) != 0)
+        throw SingularMatrix({});
+      A.triangularView<Eigen::StrictlyUpper>() =
+        A.triangularView<Eigen::StrictlyLower>().transpose();
+      return A;
+    }
+
     /** P of a Schur complement S. Throws SingularMatrix. */
     MatrixXd
     inverse_without_motions(const MatrixXd &S, const MatrixXd &B)
@@ -76,15 +92,11 @@ namespace conetact::condensed
       // Any alpha > 0 gives the same P: it stiffens the motions B, which are
       // taken out below. Of the size of S it leaves the condition of the rest
       // alone.
-      const double         alpha = S.diagonal().mean();
-      const MatrixXd       held  = S + alpha * B * B.transpose();
-      Eigen::LLT<MatrixXd> cholesky(held);
-      if (cholesky.info() != Eigen::Success)
-        throw SingularMatrix({});
-      const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
+      const double   alpha = S.diagonal().mean();
+      const MatrixXd T     = inverse(S + alpha * B * B.transpose());
       // A body that supports or foundations hold has no free motion: P = S^-1.
       if (B.cols() == 0)
-        return .5 * (T + T.transpose());
+        return T;
       const MatrixXd TB = T * B;
       // The response to f and to forces along B such that B^T w = 0.
       MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
