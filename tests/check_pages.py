@@ -44,7 +44,9 @@ def programs(text):
 
 
 def make_folder(folder, program):
-    (folder / "conetact").symlink_to(program)
+    (folder / "build").mkdir()
+    for name in ("conetact", "build/conetact"):  # for users, and as tests are called
+        (folder / name).symlink_to(program)
     for name in FOLDERS:
         (folder / name).symlink_to(TOP / name)
 
