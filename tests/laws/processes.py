@@ -159,7 +159,7 @@ def killed(laws):
 
 def interrupted(laws):
     """Ctrl-C at a terminal, which sends it to the whole group: one sentence of what is on disk and how to go on, and no process is left."""
-    n, file = 150, laws.folder / "interrupted.prm"
+    n, file = 90, laws.folder / "interrupted.prm"
     write_scene(merge(press_and_shear(3, cells=(12, 10, 10), increments=n), {"Solver": {"Backend": "iterative"}, "Output": {"Checkpoint": 2, "VTU": 0}}), file)
     for what, words, code, says in (
             ("--processes", (laws.program, file, "--processes", "3"), -signal.SIGINT, ("is finished first", "Interrupted after increment", "to go on.")),
@@ -168,7 +168,7 @@ def interrupted(laws):
         with subprocess.Popen([*words, "-o", folder, "--quiet"], env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True, start_new_session=True, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:
             table = folder / "increments.csv"
-            while process.poll() is None and not (table.exists() and table.read_text().count("\n") > 12):
+            while process.poll() is None and not (table.exists() and table.read_text().count("\n") > 8):
                 time.sleep(.01)
             os.killpg(process.pid, signal.SIGINT)
             said = process.communicate(timeout=60)[1]
