@@ -241,20 +241,26 @@ namespace conetact::analysis
     double
     entries(const contact::ContactModel &model)
     {
-      std::vector<double> stencil;
-      double              sum = 0;
-      for (const bodies::Structure *body : model.bodies.structures)
-        {
-          stencil.push_back(stencil_of(*body));
-          sum += stencil.back() * static_cast<double>(body->n_dofs());
-        }
-      sum *= unequal_part(model);
+      // Elements are looked at only where a body's stencil is asked for.
+      const auto         &bodies  = model.bodies.structures;
+      const double        unequal = unequal_part(model);
+      std::vector<double> known(bodies.size(), 0.);
+      const auto          stencil = [&](const std::size_t body) {
+        if (known[body] == 0)
+          known[body] = stencil_of(*bodies[body]);
+        return known[body];
+      };
+      double sum = 0;
+      for (std::size_t body = 0; body < bodies.size() && unequal > 0; ++body)
+        sum +=
+          unequal * stencil(body) * static_cast<double>(bodies[body]->n_dofs());
       for (const contact::ContactPoint &point : model.points.all())
-        {
-          const double m =
-            model.bodies.dim * static_cast<double>(point.node->masters.size());
-          sum += m * (2 * stencil[point.node->body] + m);
-        }
+        if (!point.node->masters.empty())
+          {
+            const double m = model.bodies.dim *
+                             static_cast<double>(point.node->masters.size());
+            sum += m * (2 * stencil(point.node->body) + m);
+          }
       return sum;
     }
 

@@ -76,27 +76,13 @@ namespace conetact::bodies
     double
     mass_of(const double density, const Structure &body)
     {
-      constexpr unsigned int y = 1; // which bodies of revolution have as well
-      Eigen::VectorXd        f = Eigen::VectorXd::Zero(body.n_dofs());
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(body.n_dofs());
       body.add_body_force(
         [&](const Point<3> &) {
-          Tensor<1, 3> force;
-          force[y] = density;
-          return force;
+          return Tensor<1, 3>({0, density, 0});
         },
         f);
-      double sum = 0;
-      for (unsigned int node = 0; node < body.n_nodes(); ++node)
-        sum += f[node * body.n_components() + y];
-      return sum;
-    }
-
-    double
-    area_of(const Structure &body, const BoundaryIds &ids)
-    {
-      return integral(body, ids, [](const Point<3> &, const Tensor<1, 3> &) {
-        return 1.;
-      });
+      return sum_along_y(body, f);
     }
 
     /** Of a component of the value. */

@@ -53,26 +53,44 @@ namespace conetact::bodies
     }
   } // namespace
 
+  namespace
+  {
+    constexpr unsigned int component_y = 1;
+  }
+
+  double
+  sum_along_y(const Structure &body, const Eigen::VectorXd &forces)
+  {
+    double sum = 0;
+    for (unsigned int node = 0; node < body.n_nodes(); ++node)
+      sum += forces[node * body.n_components() + component_y];
+    return sum;
+  }
+
+  double
+  area_of(const Structure &body, const BoundaryIds &ids)
+  {
+    return integral(body, ids, [](const Point<3> &, const Tensor<1, 3> &) {
+      return 1.;
+    });
+  }
+
   double
   integral(const Structure    &body,
            const BoundaryIds  &ids,
            const FaceFunction &function)
   {
-    constexpr unsigned int y = 1; // which bodies of revolution have as well
-    Eigen::VectorXd        f =
+    Eigen::VectorXd f =
       Eigen::VectorXd::Zero(body.n_nodes() * body.n_components());
     body.add_traction(
       ids,
       [&](const Point<3> &p, const Tensor<1, 3> &normal) {
         Tensor<1, 3> traction;
-        traction[y] = function(p, normal);
+        traction[component_y] = function(p, normal);
         return traction;
       },
       f);
-    double sum = 0;
-    for (unsigned int node = 0; node < body.n_nodes(); ++node)
-      sum += f[node * body.n_components() + y];
-    return sum;
+    return sum_along_y(body, f);
   }
 
   SpreadForce::SpreadForce(const Structure   &of,
@@ -81,9 +99,7 @@ namespace conetact::bodies
     : body(of)
     , ids(on)
     , where(in)
-    , area(integral(body, ids, [](const Point<3> &, const Tensor<1, 3> &) {
-      return 1.;
-    }))
+    , area(area_of(body, ids))
   {
     if (!(area > 0))
       throw InputError(in + "Boundary ids: they have no faces that a force "

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace conetact::pairing
 {
@@ -36,14 +37,18 @@ namespace conetact::pairing
   {
     if (contact.kind != ContactKind::contact || contact.gap)
       return 0;
-    const ContactFacets facets(contact, structures);
-    double              lift = 0;
+    std::optional<ContactFacets> facets; // few contacts need them
+    double                       lift = 0;
     for (const ContactNode &node : nodes)
       if (node.contact == number && node.least_gap)
-        // Facets of what it meets leave differences of their own.
-        if (const double below = *node.least_gap - node.gap;
-            below > facet_margin * facets.around(node))
-          lift = std::max(lift, below);
+        if (const double below = *node.least_gap - node.gap; below > lift)
+          {
+            if (!facets)
+              facets.emplace(contact, structures);
+            // Facets of what it meets leave differences of their own.
+            if (below > facet_margin * facets->around(node))
+              lift = below;
+          }
     for (ContactNode &node : nodes)
       if (node.contact == number && lift > 0)
         node.growth = [lift](const double) { return lift; };

@@ -20,6 +20,12 @@ namespace conetact::bodies
   integral(const Structure    &body,
            const BoundaryIds  &ids,
            const FaceFunction &function);
+  double
+  area_of(const Structure &body, const BoundaryIds &ids);
+  /** The sum over all nodes of forces along y, which bodies of revolution have
+   * as well. */
+  double
+  sum_along_y(const Structure &body, const Eigen::VectorXd &forces);
 
   /**
    * A force and a moment of given size on boundary ids, as a traction that is
