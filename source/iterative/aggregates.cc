@@ -41,8 +41,7 @@ namespace conetact::iterative
              const std::vector<int>                      &side,
              int                                         &n_aggregates)
   {
-    const auto      &own  = A.own_part();
-    const int        n    = static_cast<int>(own.n_block_rows());
+    const int        n    = static_cast<int>(A.own_part().n_block_rows());
     constexpr int    none = -1;
     std::vector<int> of(at(n), none);
     Eigen::VectorXd  least = Eigen::VectorXd::Zero(n);
@@ -58,11 +57,11 @@ namespace conetact::iterative
              (side[at(i)] == side[at(j)] && side[at(i)] >= 0);
     };
     const auto neighbours = [&](const int i, const auto &f) {
-      for (std::size_t k = own.start[at(i)]; k < own.start[at(i) + 1]; ++k)
-        if (const int j = own.column[k];
-            together(i, j) &&
-            own.block(at(i), k).squaredNorm() >= least[i] * least[j])
+      A.for_row(at(i), [&](const int j, const auto &block) {
+        if (j < n && together(i, j) &&
+            block.squaredNorm() >= least[i] * least[j])
           f(j);
+      });
     };
     const auto begin_with = [&](const int i) {
       of[at(i)] = n_aggregates;

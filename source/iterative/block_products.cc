@@ -3,10 +3,25 @@
 
 #include "conetact/iterative/block_products.h"
 
+#include <cstdint>
+#include <type_traits>
+
 namespace conetact::iterative
 {
   namespace
   {
+    /** Asks memory for the numbers of a block long before their turn: a
+     * processor looks no further ahead than a page. Nothing is read, so that
+     * it may be behind the end. */
+    template <std::size_t block_size, typename Number>
+    [[gnu::always_inline]] inline void
+    ask_ahead(const Number *const a)
+    {
+      constexpr std::size_t ahead = 2048, line = 64; // bytes
+      for (std::size_t i = 0; i < block_size * sizeof(Number); i += line)
+        __builtin_prefetch(reinterpret_cast<const char *>(a) + ahead + i);
+    }
+
     /**
      * A block times its part of x is the sum of its columns, each times one
      * number of x: a column fills a vector of the processor, which has no sums
@@ -36,6 +51,7 @@ namespace conetact::iterative
             sum[c] = Lanes{};
           for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
             {
+              ask_ahead<block_size>(a);
               const Number *const in =
                 x + static_cast<std::ptrdiff_t>(A.column[k]) * n_columns;
 #pragma GCC unroll 8
@@ -56,10 +72,100 @@ namespace conetact::iterative
         }
     }
 
+    /** The numbers of column c are those of vector c from its beginning. */
+    template <int size, typename Number>
+    struct Columns
+    {
+      static constexpr int bytes =
+        lanes(size) * static_cast<int>(sizeof(Number));
+      using Lanes    = typename Wide<Number, bytes>::Vector;
+      using Anywhere = typename Wide<Number, bytes>::Anywhere;
+      Lanes column[size];
+
+      [[gnu::always_inline]] explicit Columns(const Number *const a)
+      {
+#pragma GCC unroll 8
+        for (int c = 0; c < size; ++c)
+          column[c] = *reinterpret_cast<const Anywhere *>(a + c * size);
+      }
+    };
+
+    /** The product of the transposed block with a node's part of x, each number
+     * of which fills a vector. Three columns are turned into rows first, as a
+     * sum across a vector takes longer. */
     template <typename Number>
-    using MultiplyRows = void(const BlockRows<Number> &A,
-                              const Number            *x,
-                              Number                  *y);
+    [[gnu::always_inline]] inline void
+    multiply_transposed(const Columns<3, Number>                 &a,
+                        const typename Columns<3, Number>::Lanes *x,
+                        typename Columns<3, Number>::Lanes       &y)
+    {
+      using Places =
+        typename std::conditional_t<sizeof(Number) == sizeof(int),
+                                    Wide<int, 16>,
+                                    Wide<std::int64_t, 32>>::Vector;
+      const auto low =
+        __builtin_shuffle(a.column[0], a.column[1], Places{0, 4, 1, 5});
+      const auto high =
+        __builtin_shuffle(a.column[0], a.column[1], Places{2, 6, 3, 7});
+      y = __builtin_shuffle(low, a.column[2], Places{0, 1, 4, 4}) * x[0] +
+          __builtin_shuffle(low, a.column[2], Places{2, 3, 5, 5}) * x[1] +
+          __builtin_shuffle(high, a.column[2], Places{0, 1, 6, 6}) * x[2];
+    }
+    template <typename Number>
+    [[gnu::always_inline]] inline void
+    multiply_transposed(const Columns<2, Number>                 &a,
+                        const typename Columns<2, Number>::Lanes *x,
+                        typename Columns<2, Number>::Lanes       &y)
+    {
+      for (int c = 0; c < 2; ++c)
+        y[c] = a.column[c][0] * x[0][0] + a.column[c][1] * x[1][0];
+    }
+
+    /** Numbers of y are added to one by one: those of a next node, which a
+     * whole vector would write as well, may be under way. */
+    template <int size, typename Number>
+    [[gnu::always_inline]] inline void
+    add_upper(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      using Block                      = Columns<size, Number>;
+      using Lanes                      = typename Block::Lanes;
+      constexpr std::size_t block_size = static_cast<std::size_t>(size) * size;
+
+      for (std::size_t i = A.begin; i < A.end; ++i)
+        {
+          const Number *const own = x + i * size;
+          Lanes               sum[size], part[size];
+          const Number       *a = A.value + A.start[i] * block_size;
+          const Block         diagonal(a);
+#pragma GCC unroll 8
+          for (int c = 0; c < size; ++c)
+            {
+              part[c] = Lanes{} + own[c];
+              sum[c]  = diagonal.column[c] * own[c];
+            }
+          for (std::size_t k = A.start[i] + 1; k < A.start[i + 1]; ++k)
+            {
+              ask_ahead<block_size>(a);
+              const Block          beside(a += block_size);
+              const std::ptrdiff_t j =
+                static_cast<std::ptrdiff_t>(A.column[k]) * size;
+              Lanes transposed;
+              multiply_transposed(beside, part, transposed);
+#pragma GCC unroll 8
+              for (int c = 0; c < size; ++c)
+                {
+                  sum[c] += beside.column[c] * x[j + c];
+                  y[j + c] += transposed[c];
+                }
+            }
+#pragma GCC unroll 8
+          for (int c = 1; c < size; ++c)
+            sum[0] += sum[c];
+#pragma GCC unroll 8
+          for (int r = 0; r < size; ++r)
+            y[i * size + r] += sum[0][r];
+        }
+    }
 
     template <int n_rows, int n_columns, typename Number>
     void
@@ -76,20 +182,93 @@ namespace conetact::iterative
     }
 #endif
 
+    template <int n_rows, int n_columns, typename Number>
+    [[gnu::always_inline]] inline void
+    add_transposed(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      constexpr std::size_t block_size =
+        static_cast<std::size_t>(n_rows) * n_columns;
+      constexpr bool in_threes = n_rows == 3 && n_columns % 3 == 0;
+      for (std::size_t i = A.begin; i < A.end; ++i)
+        {
+          const Number *const own = x + i * n_rows;
+          const Number       *a   = A.value + A.start[i] * block_size;
+          for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
+            {
+              ask_ahead<block_size>(a);
+              Number *out =
+                y + static_cast<std::ptrdiff_t>(A.column[k]) * n_columns;
+              if constexpr (in_threes)
+                {
+                  using Lanes         = typename Columns<3, Number>::Lanes;
+                  const Lanes part[3] = {Lanes{} + own[0],
+                                         Lanes{} + own[1],
+                                         Lanes{} + own[2]};
+#pragma GCC unroll 8
+                  for (int c = 0; c < n_columns; c += 3, a += 9, out += 3)
+                    {
+                      Lanes product;
+                      multiply_transposed(Columns<3, Number>(a), part, product);
+#pragma GCC unroll 8
+                      for (int r = 0; r < 3; ++r)
+                        out[r] += product[r];
+                    }
+                }
+              else
+                for (int c = 0; c < n_columns; ++c, a += n_rows)
+                  {
+                    Number sum = 0;
+#pragma GCC unroll 8
+                    for (int r = 0; r < n_rows; ++r)
+                      sum += a[r] * own[r];
+                    out[c] += sum;
+                  }
+            }
+        }
+    }
+
+    template <int n_rows, int n_columns, typename Number>
+    void
+    add_transposed_plain(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_transposed<n_rows, n_columns>(A, x, y);
+    }
+#ifdef __x86_64__
+    template <int n_rows, int n_columns, typename Number>
+    [[gnu::target("avx2,fma")]] void
+    add_transposed_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_transposed<n_rows, n_columns>(A, x, y);
+    }
+#endif
+    template <int size, typename Number>
+    void
+    add_upper_plain(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_upper<size>(A, x, y);
+    }
+#ifdef __x86_64__
+    template <int size, typename Number>
+    [[gnu::target("avx2,fma")]] void
+    add_upper_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_upper<size>(A, x, y);
+    }
+#endif
+
     /**
      * The choice is made as the program runs, as it may have been built on
      * another machine. Fused products round once, not twice: results differ in
      * their last bits between machines.
      */
-    template <int n_rows, int n_columns, typename Number>
-    MultiplyRows<Number> *
-    choose_multiply()
+    bool
+    has_avx2()
     {
 #ifdef __x86_64__
-      if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &multiply_avx2<n_rows, n_columns, Number>;
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+      return false;
 #endif
-      return &multiply_plain<n_rows, n_columns, Number>;
     }
   } // namespace
 
@@ -99,9 +278,40 @@ namespace conetact::iterative
   void
   multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-    static MultiplyRows<Number> *const multiply =
-      choose_multiply<n_rows, n_columns, Number>();
-    multiply(A, x, y);
+#ifdef __x86_64__
+    static const bool is_wide = has_avx2();
+    if (is_wide)
+      return multiply_avx2<n_rows, n_columns>(A, x, y);
+#endif
+    multiply_plain<n_rows, n_columns>(A, x, y);
+  }
+
+
+
+  template <int size, typename Number>
+  void
+  add_upper_rows(const BlockRows<Number> &A, const Number *x, Number *y)
+  {
+#ifdef __x86_64__
+    static const bool is_wide = has_avx2();
+    if (is_wide)
+      return add_upper_avx2<size>(A, x, y);
+#endif
+    add_upper_plain<size>(A, x, y);
+  }
+
+
+
+  template <int n_rows, int n_columns, typename Number>
+  void
+  add_transposed_rows(const BlockRows<Number> &A, const Number *x, Number *y)
+  {
+#ifdef __x86_64__
+    static const bool is_wide = has_avx2();
+    if (is_wide)
+      return add_transposed_avx2<n_rows, n_columns>(A, x, y);
+#endif
+    add_transposed_plain<n_rows, n_columns>(A, x, y);
   }
 
 #define CONETACT_MULTIPLY_ROWS(n_rows, n_columns, Number)                   \
@@ -119,4 +329,21 @@ namespace conetact::iterative
   CONETACT_MULTIPLY_ROWS(6, 6, float);
   CONETACT_MULTIPLY_ROWS(6, 6, double);
 #undef CONETACT_MULTIPLY_ROWS
+#define CONETACT_ADD_UPPER_ROWS(size, Number)                   \
+  template void add_upper_rows<size>(const BlockRows<Number> &, \
+                                     const Number *,            \
+                                     Number *)
+  CONETACT_ADD_UPPER_ROWS(2, float);
+  CONETACT_ADD_UPPER_ROWS(2, double);
+  CONETACT_ADD_UPPER_ROWS(3, float);
+  CONETACT_ADD_UPPER_ROWS(3, double);
+#undef CONETACT_ADD_UPPER_ROWS
+  template void
+  add_transposed_rows<2, 3>(const BlockRows<float> &, const float *, float *);
+  template void
+  add_transposed_rows<3, 3>(const BlockRows<float> &, const float *, float *);
+  template void
+  add_transposed_rows<3, 6>(const BlockRows<float> &, const float *, float *);
+  template void
+  add_transposed_rows<6, 6>(const BlockRows<float> &, const float *, float *);
 } // namespace conetact::iterative

@@ -92,8 +92,7 @@ namespace conetact::iterative
     AssertDimension(x.size(), n);
     Array y = Array::Zero(n);
     K.multiply(x.data(), y.data(), [&](const double *in, double *out) {
-      for (const std::size_t i : near_contact)
-        K.own_part().multiply(i, i + 1, in, out);
+      K.own_part().multiply_some(near_contact, in, out);
     });
     return y;
   }
@@ -196,6 +195,8 @@ namespace conetact::iterative
       processes);
     own->follow(A, nodes, first_node);
     levels = std::move(own);
+    K.forget_rows();
+    A.forget_rows();
   }
 
   /* 1 for all unknowns but those of contact. */

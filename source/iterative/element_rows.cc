@@ -326,7 +326,7 @@ namespace conetact::iterative
       });
       rows.finish(take);
     }
-    return matrix.finish(number);
+    return matrix.finish(number, begin / block);
   }
 
   template BlockMatrix<2, 2, double>

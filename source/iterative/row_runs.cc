@@ -208,6 +208,8 @@ namespace conetact::iterative
                                   const std::vector<int> &changing)
     : A(&matrix)
   {
+    if (A->is_upper)
+      return;
     find_runs(find_equal(changing));
     drop_rare_kinds();
     if (!runs.empty())
@@ -334,6 +336,8 @@ namespace conetact::iterative
   void
   RowRuns<block, Number>::operator()(const Number *x, Number *y) const
   {
+    if (runs.empty())
+      return A->multiply(x, y);
     static MultiplyRuns<Number> *const multiply =
       choose_multiply<block, Number>();
     multiply(runs, shifts.data(), x, parts, y);

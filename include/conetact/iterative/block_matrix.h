@@ -66,6 +66,10 @@ namespace conetact::iterative
     std::vector<std::size_t> start = {0};
     std::vector<int>         column; ///< ascending in each row
     std::vector<Number>      value;  ///< blocks, column by column
+    /** A symmetric matrix may have the blocks from the diagonal on only, which
+     * takes half the memory and half the time: rows are read once for both.
+     * Where rows share their numbers there is nothing to gain. */
+    bool is_upper = false;
 
     /** Makes room for the blocks of `start`, all of them zero. */
     void
@@ -102,23 +106,41 @@ namespace conetact::iterative
     void
     multiply(const Number *x, Number *y) const
     {
+      if constexpr (n_rows == n_columns && n_rows < 4)
+        if (is_upper)
+          {
+            std::fill_n(y, n_block_rows() * n_rows, Number(0));
+            return add_upper_rows<n_rows>(rows(0, n_block_rows()), x, y);
+          }
       multiply(0, n_block_rows(), x, y);
     }
-    /** Rows begin, ..., end - 1 of it. */
+    /** y = A x, where y is zero and A has no blocks but in some rows that meets
+     * a node of x which is not zero. */
+    void
+    multiply_some(const std::vector<std::size_t> &some,
+                  const Number                   *x,
+                  Number                         *y) const
+    {
+      for (const std::size_t i : some)
+        if (is_upper)
+          add_upper_rows<n_rows>(rows(i, i + 1), x, y);
+        else
+          multiply(i, i + 1, x, y);
+    }
+    /** y += A^T x. */
+    void
+    add_transposed(const Number *x, Number *y) const
+    {
+      add_transposed_rows<n_rows, n_columns>(rows(0, n_block_rows()), x, y);
+    }
+    /** Rows begin, ..., end - 1 of it, which are whole. */
     void
     multiply(const std::size_t begin,
              const std::size_t end,
              const Number     *x,
              Number           *y) const
     {
-      multiply_rows<n_rows, n_columns>({start.data(),
-                                        column.data(),
-                                        first.empty() ? nullptr : first.data(),
-                                        value.data(),
-                                        begin,
-                                        end},
-                                       x,
-                                       y);
+      multiply_rows<n_rows, n_columns>(rows(begin, end), x, y);
     }
 
     BlockMatrix<n_columns, n_rows, Number>
@@ -154,9 +176,10 @@ namespace conetact::iterative
     cast() const
     {
       BlockMatrix<n_rows, n_columns, Other> result;
-      result.start  = start;
-      result.column = column;
-      result.first  = first;
+      result.start    = start;
+      result.column   = column;
+      result.first    = first;
+      result.is_upper = is_upper;
       result.value.assign(value.begin(), value.end());
       return result;
     }
@@ -167,6 +190,16 @@ namespace conetact::iterative
     template <int, int, typename>
     friend class RowByRow;
 
+    BlockRows<Number>
+    rows(const std::size_t begin, const std::size_t end) const
+    {
+      return {start.data(),
+              column.data(),
+              first.empty() ? nullptr : first.data(),
+              value.data(),
+              begin,
+              end};
+    }
     const Number *
     row(const std::size_t i) const
     {
@@ -257,6 +290,13 @@ namespace conetact::iterative
       A.start.push_back(A.column.size());
     }
 
+    /** How many numbers it has kept. */
+    std::size_t
+    n_numbers() const
+    {
+      return A.value.size();
+    }
+
     Matrix
     finish()
     {
@@ -265,42 +305,86 @@ namespace conetact::iterative
       return std::move(A);
     }
 
-    /** The same of rows that share numbers and came in another order: k-th was
-     * number[k]. Numbers are in the order of rows, too: products read them one
-     * behind the other. */
+    /**
+     * The same of rows of a symmetric matrix that came in another order: k-th
+     * was number[k], whose diagonal is in the column `begin` + number[k].
+     * Numbers are in the order of rows, too: products read them one behind the
+     * other. If few rows are like others, blocks left of the diagonal go.
+     */
     Matrix
-    finish(const std::vector<int> &number)
+    finish(const std::vector<int> &number, const int begin)
     {
       rows = {};
       std::vector<std::size_t> from(number.size());
       for (std::size_t k = 0; k < number.size(); ++k)
         from[static_cast<std::size_t>(number[k])] = k;
-      Matrix sorted;
-      sorted.column.reserve(A.column.size());
-      sorted.value.reserve(A.value.size() + lanes(n_rows));
-      std::unordered_map<std::size_t, std::size_t> place; // of former ones
-      for (const std::size_t k : from)
-        {
-          const auto [found, is_new] =
-            place.emplace(A.first[k], sorted.value.size());
-          if (is_new)
-            {
-              const Number *const own = A.row(k);
-              sorted.value.insert(sorted.value.end(),
-                                  own,
-                                  own + (A.start[k + 1] - A.start[k]) *
-                                          Matrix::block_size);
-            }
-          sorted.first.push_back(found->second);
-          for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
-            sorted.column.push_back(A.column[l]);
-          sorted.start.push_back(sorted.column.size());
-        }
-      A = std::move(sorted);
+      A = 2 * A.value.size() > A.column.size() * Matrix::block_size ?
+            upper(from, begin) :
+            sorted(from);
       return finish();
     }
 
   private:
+    /** Row i was from[i]. */
+    Matrix
+    sorted(const std::vector<std::size_t> &from) const
+    {
+      Matrix result;
+      result.column.reserve(A.column.size());
+      result.value.reserve(A.value.size() + lanes(n_rows));
+      std::unordered_map<std::size_t, std::size_t> place; // of former ones
+      for (const std::size_t k : from)
+        {
+          const auto [found, is_new] =
+            place.emplace(A.first[k], result.value.size());
+          if (is_new)
+            {
+              const Number *const own = A.row(k);
+              result.value.insert(result.value.end(),
+                                  own,
+                                  own + (A.start[k + 1] - A.start[k]) *
+                                          Matrix::block_size);
+            }
+          result.first.push_back(found->second);
+          for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
+            result.column.push_back(A.column[l]);
+          result.start.push_back(result.column.size());
+        }
+      return result;
+    }
+    /** The same without blocks of own columns left of the diagonal. */
+    Matrix
+    upper(const std::vector<std::size_t> &from, const int begin) const
+    {
+      const auto is_lower = [&](const std::size_t i, const std::size_t l) {
+        return A.column[l] >= begin &&
+               A.column[l] < begin + static_cast<int>(i);
+      };
+      Matrix result;
+      result.is_upper = true;
+      for (std::size_t i = 0; i < from.size(); ++i)
+        {
+          std::size_t n = result.start.back();
+          for (std::size_t l = A.start[from[i]]; l < A.start[from[i] + 1]; ++l)
+            n += is_lower(i, l) ? 0 : 1;
+          result.start.push_back(n);
+        }
+      result.column.reserve(result.start.back());
+      result.value.reserve(result.start.back() * Matrix::block_size +
+                           lanes(n_rows));
+      for (std::size_t i = 0; i < from.size(); ++i)
+        for (std::size_t l = A.start[from[i]]; l < A.start[from[i] + 1]; ++l)
+          if (!is_lower(i, l))
+            {
+              const auto block = A.block(from[i], l);
+              result.column.push_back(A.column[l]);
+              result.value.insert(result.value.end(),
+                                  block.data(),
+                                  block.data() + block.size());
+            }
+      return result;
+    }
+
     const bool        share;
     Matrix            A;
     EqualRows<Number> rows;
@@ -323,10 +407,10 @@ namespace conetact::iterative
             numbers.assign(own, own + n * A.block_size);
           }
         rows.append(A.column.data() + A.start[i], n, numbers);
+        if (2 * rows.n_numbers() > A.value.size())
+          return A;
       }
-    auto result = rows.finish();
-    return 2 * result.value.size() < A.value.size() ? std::move(result) :
-                                                      std::move(A);
+    return rows.finish();
   }
 } // namespace conetact::iterative
 

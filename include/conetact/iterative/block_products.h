@@ -47,6 +47,20 @@ namespace conetact::iterative
   template <int n_rows, int n_columns, typename Number>
   void
   multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y);
+
+  /**
+   * Adds to y what rows of the upper triangle of a symmetric matrix have: their
+   * blocks times x and, of those beside the diagonal, the transposed ones.
+   * Each row begins with its diagonal block; none shares its numbers.
+   */
+  template <int size, typename Number>
+  void
+  add_upper_rows(const BlockRows<Number> &A, const Number *x, Number *y);
+
+  /** Adds to y = A^T x what these rows of A bring. */
+  template <int n_rows, int n_columns, typename Number>
+  void
+  add_transposed_rows(const BlockRows<Number> &A, const Number *x, Number *y);
 } // namespace conetact::iterative
 
 #endif

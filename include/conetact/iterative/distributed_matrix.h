@@ -7,7 +7,12 @@
 #include "conetact/iterative/block_matrix.h"
 #include "conetact/iterative/halo.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
+#include <memory>
+#include <numeric>
+#include <utility>
 
 namespace conetact::iterative
 {
@@ -27,6 +32,15 @@ namespace conetact::iterative
       for (int r = 0; r < n_rows; ++r)
         y[static_cast<std::ptrdiff_t>(i) * n_rows + r] += *from++;
   }
+
+  /** Blocks left of the diagonal that a matrix has as transposed ones of other
+   * rows: those of row i are start[i], ..., start[i+1]-1. */
+  struct LowerBlocks
+  {
+    std::vector<std::size_t> start = {0};
+    std::vector<std::size_t> block; ///< among all of the matrix
+    std::vector<int>         row;   ///< that has it
+  };
 
   /**
    * The rows of a matrix that this process has: columns whose unknowns it has,
@@ -52,6 +66,7 @@ namespace conetact::iterative
         {
           own           = std::move(rows);
           n_own_columns = first.back();
+          find_lower();
           return;
         }
       begin         = first[static_cast<std::size_t>(processes.rank())];
@@ -65,6 +80,7 @@ namespace conetact::iterative
       split(rows, end);
       halo = Halo<n_columns, Number>(
         std::make_shared<const HaloPlan>(needed, first, processes));
+      find_lower();
     }
 
     /** Not of a process that is alone. */
@@ -111,6 +127,7 @@ namespace conetact::iterative
       result.begin         = begin;
       result.n_own_columns = n_own_columns;
       result.needed        = needed;
+      result.lower         = lower;
       if (halo.its_plan() != nullptr)
         result.halo = Halo<n_columns, Other>(halo.its_plan());
       return result;
@@ -128,7 +145,7 @@ namespace conetact::iterative
     }
 
     /** Calls f(column, block) for a row: own columns before those of others.
-     */
+     * Not once rows are forgotten. */
     template <typename F>
     void
     for_row(const std::size_t i, const F &f) const
@@ -141,6 +158,14 @@ namespace conetact::iterative
     for_row(const std::size_t i, const F &f)
     {
       for_row_of(*this, i, f);
+    }
+
+    /** From here on it is multiplied only: what for_row() needs of a matrix
+     * that has its upper triangle goes. */
+    void
+    forget_rows()
+    {
+      lower.reset();
     }
 
     /** Of a column that for_row() names, among those of all processes. */
@@ -158,10 +183,54 @@ namespace conetact::iterative
     template <int, int, typename>
     friend class TransposedMatrix;
 
+    void
+    find_lower()
+    {
+      if (!own.is_upper)
+        return;
+      const std::size_t n      = own.n_block_rows();
+      auto              blocks = std::make_shared<LowerBlocks>();
+      blocks->start.assign(n + 1, 0);
+      const auto for_each = [&](const auto &visit) {
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t k = own.start[i] + 1; k < own.start[i + 1]; ++k)
+            visit(i, k, static_cast<std::size_t>(own.column[k]));
+      };
+      for_each([&](const std::size_t, const std::size_t, const std::size_t j) {
+        ++blocks->start[j + 1];
+      });
+      std::partial_sum(blocks->start.begin(),
+                       blocks->start.end(),
+                       blocks->start.begin());
+      blocks->block.resize(blocks->start.back());
+      blocks->row.resize(blocks->start.back());
+      std::vector<std::size_t> next = blocks->start;
+      for_each([&](const std::size_t i, const std::size_t k, const auto j) {
+        blocks->block[next[j]] = k;
+        blocks->row[next[j]++] = static_cast<int>(i);
+      });
+      lower = std::move(blocks);
+    }
+
     template <typename Self, typename F>
     static void
     for_row_of(Self &self, const std::size_t i, const F &f)
     {
+      Assert(!self.own.is_upper || self.lower,
+             dealii::ExcMessage("Rows have been forgotten."));
+      if constexpr (n_rows == n_columns)
+        if (self.lower)
+          for (std::size_t k = self.lower->start[i];
+               k < self.lower->start[i + 1];
+               ++k)
+            {
+              const int                    j = self.lower->row[k];
+              const typename Matrix::Block block =
+                std::as_const(self.own)
+                  .block(static_cast<std::size_t>(j), self.lower->block[k])
+                  .transpose();
+              f(j, block);
+            }
       for (std::size_t k = self.own.start[i]; k < self.own.start[i + 1]; ++k)
         f(self.own.column[k], self.own.block(i, k));
       const std::vector<int> &edge = self.edge;
@@ -206,8 +275,9 @@ namespace conetact::iterative
           edge.push_back(static_cast<int>(i));
           far_rows.append(far_columns.data(), far_columns.size(), far_numbers);
         }
-      own = own_rows.finish();
-      far = far_rows.finish();
+      own          = own_rows.finish();
+      own.is_upper = rows.is_upper;
+      far          = far_rows.finish();
     }
 
     /** Of a column of others. */
@@ -222,7 +292,8 @@ namespace conetact::iterative
     Matrix           far;  ///< of rows `edge` and columns of others
     std::vector<int> edge; ///< rows that see others
     int              begin = 0, n_own_columns = 0;
-    std::vector<int> needed; ///< columns of others
+    std::vector<int> needed;                  ///< columns of others
+    std::shared_ptr<const LowerBlocks> lower; ///< of an upper triangle
     // of a product, not of the matrix
     mutable Halo<n_columns, Number> halo;
     mutable std::vector<Number>     buffer;
@@ -235,11 +306,17 @@ namespace conetact::iterative
   {
   public:
     TransposedMatrix() = default;
+    /** A must outlive it. Where its rows share their numbers, those of the
+     * transposed one do, too, and are kept; else A serves. */
     TransposedMatrix(const DistributedMatrix<n_columns, n_rows, Number> &A,
                      const std::size_t                                   n_own)
-      : own(with_equal_rows(A.own.transposed(n_own)))
+      : n_rows_own(n_own)
       , edge(A.edge)
     {
+      if (A.own.shares_rows())
+        own = with_equal_rows(A.own.transposed(n_own));
+      else
+        given = &A.own;
       if (A.halo.its_plan() == nullptr)
         return;
       halo = Halo<n_rows, Number>(A.halo.its_plan());
@@ -252,7 +329,7 @@ namespace conetact::iterative
     multiply(const Number *x, Number *y) const
     {
       if (halo.its_plan() == nullptr)
-        return own.multiply(x, y);
+        return multiply_own(x, y);
       buffer.resize(edge.size() * n_columns);
       Number *to = buffer.data();
       for (const int i : edge)
@@ -260,12 +337,24 @@ namespace conetact::iterative
           *to++ = x[static_cast<std::ptrdiff_t>(i) * n_columns + c];
       far.multiply(buffer.data(), halo.far_blocks());
       halo.start_back();
-      own.multiply(x, y);
+      multiply_own(x, y);
       halo.finish_back(y);
     }
 
   private:
-    BlockMatrix<n_rows, n_columns, Number> own;
+    void
+    multiply_own(const Number *x, Number *y) const
+    {
+      if (given == nullptr)
+        return own.multiply(x, y);
+      std::fill_n(y, n_rows_own * n_rows, Number(0));
+      given->add_transposed(x, y);
+    }
+
+    std::size_t n_rows_own = 0;
+    /** Where no rows are shared. */
+    const BlockMatrix<n_columns, n_rows, Number> *given = nullptr;
+    BlockMatrix<n_rows, n_columns, Number>        own; ///< else
     BlockMatrix<n_rows, n_columns, Number> far; ///< from `edge` to others
     std::vector<int>                       edge;
     mutable Halo<n_rows, Number>           halo;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/iterative/distributed_matrix.h"
 #include "conetact/iterative/node_blocks.h"
 
 #include <gtest/gtest.h>
@@ -64,6 +65,69 @@ namespace
       EXPECT_EQ(y.template segment<n_rows>(i * n_rows),
                 expected.template segment<n_rows>(i * n_rows));
     EXPECT_EQ(y[31 * n_rows], untouched);
+  }
+
+  /** A symmetric matrix with the blocks from the diagonal on, of other columns
+   * in each row; the dense one beside it. */
+  template <int size, typename Number>
+  void
+  expect_symmetric_product()
+  {
+    using Block  = Eigen::Matrix<Number, size, size>;
+    using Dense  = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+    constexpr int                   n = 40;
+    BlockMatrix<size, size, Number> A;
+    Dense                           dense = Dense::Zero(n * size, n * size);
+    for (int i = 0; i < n; ++i)
+      {
+        for (int j = i; j < n; j += 1 + (i + j) % 4)
+          {
+            Block block = Block::Random();
+            if (j == i)
+              block = (block + block.transpose()).eval();
+            A.column.push_back(j);
+            A.value.insert(A.value.end(),
+                           block.data(),
+                           block.data() + block.size());
+            dense.template block<size, size>(j * size, i * size) =
+              block.transpose();
+            dense.template block<size, size>(i * size, j * size) = block;
+          }
+        A.start.push_back(A.column.size());
+      }
+    A.value.resize(A.value.size() + lanes(size));
+    A.is_upper      = true;
+    const Vector x  = Vector::Random(n * size);
+    Vector       y  = Vector::Constant(n * size, 7);
+    const auto   is = [](const Vector &found, const Vector &right) {
+      return (found - right).norm() <
+             20 * std::numeric_limits<Number>::epsilon() * right.norm();
+    };
+    A.multiply(x.data(), y.data());
+    EXPECT_TRUE(is(y, dense * x));
+
+    // as in DistributedMatrix, whose rows come back whole; some of them serve
+    // a vector that is zero but for one node
+    Vector one = Vector::Zero(n * size);
+    one.template segment<size>(9 * size).setConstant(2);
+    const DistributedMatrix<size, size, Number> whole(std::move(A),
+                                                      {0, n},
+                                                      conetact::Communicator());
+    std::vector<std::size_t>                    some;
+    Dense rows = Dense::Zero(n * size, n * size);
+    for (int i = 0; i < n; ++i)
+      whole.for_row(static_cast<std::size_t>(i),
+                    [&](const int j, const auto &block) {
+                      rows.template block<size, size>(i * size, j * size) =
+                        block;
+                      if (j == 9)
+                        some.push_back(static_cast<std::size_t>(i));
+                    });
+    EXPECT_EQ(rows, dense);
+    y.setZero();
+    whole.own_part().multiply_some(some, one.data(), y.data());
+    EXPECT_TRUE(is(y, dense * one));
   }
 
   /** One of three blocks for each node. */
@@ -130,6 +194,16 @@ TEST(BlockProducts, AreThoseOfDenseBlocks)
   expect_product<6, 3, float>();
   expect_product<6, 6, float>();
   expect_product<6, 6, double>();
+}
+
+
+
+TEST(BlockProducts, OfAnUpperTriangleAreThoseOfTheWholeMatrix)
+{
+  expect_symmetric_product<2, float>();
+  expect_symmetric_product<2, double>();
+  expect_symmetric_product<3, float>();
+  expect_symmetric_product<3, double>();
 }
 
 

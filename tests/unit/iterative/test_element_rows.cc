@@ -61,10 +61,17 @@ namespace conetact::iterative
       const auto rows = rows_of_elements<2>(all, places, 0, n);
       ASSERT_EQ(rows.n_block_rows(), 5u);
       MatrixXd found = MatrixXd::Zero(n, n);
+      ASSERT_TRUE(rows.is_upper);
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
         for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
-          found.block<2, 2>(2 * static_cast<Index>(i), 2 * rows.column[k]) =
-            rows.block(i, k);
+          {
+            const auto  row    = static_cast<Index>(i);
+            const Index column = rows.column[k];
+            ASSERT_GE(column, row);
+            found.block<2, 2>(2 * column, 2 * row) =
+              rows.block(i, k).transpose();
+            found.block<2, 2>(2 * row, 2 * column) = rows.block(i, k);
+          }
       EXPECT_LT((found - expected).norm(), 1e-14 * expected.norm());
       EXPECT_EQ(found, found.transpose());
       // a diagonal where no element is
