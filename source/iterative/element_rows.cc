@@ -8,6 +8,9 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace conetact::iterative
 {
@@ -211,6 +214,147 @@ namespace conetact::iterative
       std::vector<std::size_t> blocks; ///< of a row, one for each node
     };
 
+    /**
+     * Rows of a symmetric matrix in the order in which they come; numbers that
+     * several of them have are kept once. Numbers stay where they are put: a
+     * vector that grows takes up to three times their memory.
+     */
+    template <int block>
+    class ArrivedRows
+    {
+    public:
+      using Matrix = BlockMatrix<block, block, double>;
+
+      /** Row i: its columns, and its blocks column by column. */
+      void
+      append(const int                  i,
+             const std::vector<int>    &columns,
+             const std::vector<double> &numbers)
+      {
+        if (at(i) >= place.size())
+          place.resize(at(i) + 1);
+        place[at(i)] = rows.size();
+        rows.push_back({find(numbers), column.size()});
+        column.insert(column.end(), columns.begin(), columns.end());
+      }
+
+      /**
+       * The matrix, whose numbers are in the order of rows, too: products read
+       * them one behind the other. Own columns begin at `begin`. If few rows
+       * are like others, blocks of own columns left of the diagonal go.
+       */
+      Matrix
+      matrix(const int begin) const
+      {
+        return 2 * n_numbers > column.size() * Matrix::block_size ?
+                 upper(begin) :
+                 whole();
+      }
+
+    private:
+      struct Row
+      {
+        const double *numbers;
+        std::size_t   first_column; ///< among `column`
+      };
+
+      const double *
+      find(const std::vector<double> &numbers)
+      {
+        const std::size_t      n_bytes = numbers.size() * sizeof(double);
+        const std::string_view bytes(
+          reinterpret_cast<const char *>(numbers.data()), n_bytes);
+        const auto found = known.find(bytes);
+        if (found != known.end())
+          return reinterpret_cast<const double *>(found->data());
+        if (chunks.empty() ||
+            chunks.back().size() + numbers.size() > chunks.back().capacity())
+          chunks.emplace_back().reserve(std::max(numbers.size(), chunk));
+        std::vector<double> &last = chunks.back();
+        last.insert(last.end(), numbers.begin(), numbers.end());
+        n_numbers += numbers.size();
+        const double *const kept = last.data() + last.size() - numbers.size();
+        known.emplace(reinterpret_cast<const char *>(kept), n_bytes);
+        return kept;
+      }
+      std::size_t
+      end_of(const std::size_t k) const
+      {
+        return k + 1 < rows.size() ? rows[k + 1].first_column : column.size();
+      }
+      Matrix
+      whole() const
+      {
+        Matrix result;
+        result.column.reserve(column.size());
+        result.value.reserve(n_numbers + lanes(block));
+        std::unordered_map<const double *, std::size_t> places;
+        for (const std::size_t k : place)
+          {
+            const auto &[numbers, from] = rows[k];
+            const std::size_t n         = end_of(k) - from;
+            const auto [found, is_new] =
+              places.emplace(numbers, result.value.size());
+            if (is_new)
+              result.value.insert(result.value.end(),
+                                  numbers,
+                                  numbers + n * Matrix::block_size);
+            result.first.push_back(found->second);
+            result.column.insert(result.column.end(),
+                                 column.data() + from,
+                                 column.data() + from + n);
+            result.start.push_back(result.column.size());
+          }
+        result.value.resize(result.value.size() + lanes(block), 0.);
+        return result;
+      }
+      Matrix
+      upper(const int begin) const
+      {
+        Matrix result;
+        result.is_upper = true;
+        // Own columns right of a diagonal are those left of another one.
+        std::size_t n_own = 0;
+        for (const int j : column)
+          n_own += is_own(j, begin) ? 1 : 0;
+        const std::size_t n = column.size() - (n_own - rows.size()) / 2;
+        result.column.reserve(n);
+        result.value.reserve(n * Matrix::block_size + lanes(block));
+        for (std::size_t i = 0; i < place.size(); ++i)
+          {
+            const auto &[numbers, from] = rows[place[i]];
+            for (std::size_t l = from; l < end_of(place[i]); ++l)
+              if (!is_own(column[l], begin) ||
+                  column[l] >= begin + static_cast<int>(i))
+                {
+                  const double *const its =
+                    numbers + (l - from) * Matrix::block_size;
+                  result.column.push_back(column[l]);
+                  result.value.insert(result.value.end(),
+                                      its,
+                                      its + Matrix::block_size);
+                }
+            result.start.push_back(result.column.size());
+          }
+        result.value.resize(result.value.size() + lanes(block), 0.);
+        return result;
+      }
+      bool
+      is_own(const int j, const int begin) const
+      {
+        return j >= begin && j < begin + static_cast<int>(place.size());
+      }
+
+      static constexpr std::size_t chunk = 1 << 20;
+
+      std::vector<std::vector<double>>     chunks;
+      std::unordered_set<std::string_view> known; ///< numbers of rows
+      std::size_t                          n_numbers = 0;
+      std::vector<Row>                     rows;
+      std::vector<int>                     column;
+      std::vector<std::size_t>             place; ///< of row i among `rows`
+    };
+
     /** Elements in places, those that have some of this process. They are
      * gone through twice: first without matrices, to count those of nodes. */
     class PlacedElements
@@ -294,9 +438,9 @@ namespace conetact::iterative
 
 
 
-  /* Rows come in the order in which they are complete, `number` says which each
-     one is. Elements at the border are looked at by all processes that have
-     nodes of them: no sums are sent. */
+  /* Rows come in the order in which they are complete. Elements at the border
+     are looked at by all processes that have nodes of them: no sums are sent.
+   */
   template <int block>
   BlockMatrix<block, block, double>
   rows_of_elements(const Elements         &elements,
@@ -308,15 +452,14 @@ namespace conetact::iterative
            dealii::ExcMessage("Rows are those of whole nodes."));
     const PlacedElements placed(elements, places, begin, end);
 
-    RowByRow<block, block, double> matrix(true);
-    std::vector<int>               number, columns;
-    std::vector<double>            numbers;
+    ArrivedRows<block>  arrived;
+    std::vector<int>    columns;
+    std::vector<double> numbers;
     const auto take = [&](const int i, const GrowingRow<block, block> &row) {
       columns.clear();
       numbers.clear();
       row.append_to(columns, numbers);
-      matrix.append(columns.data(), columns.size(), numbers);
-      number.push_back(i);
+      arrived.append(i, columns, numbers);
     };
     { // what rows have needed is given back before they are put in order
       OpenRows<block> rows(placed.template elements_of_nodes<block>(),
@@ -326,7 +469,7 @@ namespace conetact::iterative
       });
       rows.finish(take);
     }
-    return matrix.finish(number, begin / block);
+    return arrived.matrix(begin / block);
   }
 
   template BlockMatrix<2, 2, double>

@@ -66,6 +66,8 @@ namespace conetact::iterative
     std::vector<std::size_t> start = {0};
     std::vector<int>         column; ///< ascending in each row
     std::vector<Number>      value;  ///< blocks, column by column
+    /** Where the numbers of each row begin, if rows share them; else empty. */
+    std::vector<std::size_t> first;
     /** A symmetric matrix may have the blocks from the diagonal on only, which
      * takes half the memory and half the time: rows are read once for both.
      * Where rows share their numbers there is nothing to gain. */
@@ -205,8 +207,6 @@ namespace conetact::iterative
     {
       return value.data() + (first.empty() ? start[i] * block_size : first[i]);
     }
-
-    std::vector<std::size_t> first; ///< number of each row, if rows share them
   };
 
   /** Columns of a row in the order in which they come, and their blocks. */
@@ -305,86 +305,7 @@ namespace conetact::iterative
       return std::move(A);
     }
 
-    /**
-     * The same of rows of a symmetric matrix that came in another order: k-th
-     * was number[k], whose diagonal is in the column `begin` + number[k].
-     * Numbers are in the order of rows, too: products read them one behind the
-     * other. If few rows are like others, blocks left of the diagonal go.
-     */
-    Matrix
-    finish(const std::vector<int> &number, const int begin)
-    {
-      rows = {};
-      std::vector<std::size_t> from(number.size());
-      for (std::size_t k = 0; k < number.size(); ++k)
-        from[static_cast<std::size_t>(number[k])] = k;
-      A = 2 * A.value.size() > A.column.size() * Matrix::block_size ?
-            upper(from, begin) :
-            sorted(from);
-      return finish();
-    }
-
   private:
-    /** Row i was from[i]. */
-    Matrix
-    sorted(const std::vector<std::size_t> &from) const
-    {
-      Matrix result;
-      result.column.reserve(A.column.size());
-      result.value.reserve(A.value.size() + lanes(n_rows));
-      std::unordered_map<std::size_t, std::size_t> place; // of former ones
-      for (const std::size_t k : from)
-        {
-          const auto [found, is_new] =
-            place.emplace(A.first[k], result.value.size());
-          if (is_new)
-            {
-              const Number *const own = A.row(k);
-              result.value.insert(result.value.end(),
-                                  own,
-                                  own + (A.start[k + 1] - A.start[k]) *
-                                          Matrix::block_size);
-            }
-          result.first.push_back(found->second);
-          for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
-            result.column.push_back(A.column[l]);
-          result.start.push_back(result.column.size());
-        }
-      return result;
-    }
-    /** The same without blocks of own columns left of the diagonal. */
-    Matrix
-    upper(const std::vector<std::size_t> &from, const int begin) const
-    {
-      const auto is_lower = [&](const std::size_t i, const std::size_t l) {
-        return A.column[l] >= begin &&
-               A.column[l] < begin + static_cast<int>(i);
-      };
-      Matrix result;
-      result.is_upper = true;
-      for (std::size_t i = 0; i < from.size(); ++i)
-        {
-          std::size_t n = result.start.back();
-          for (std::size_t l = A.start[from[i]]; l < A.start[from[i] + 1]; ++l)
-            n += is_lower(i, l) ? 0 : 1;
-          result.start.push_back(n);
-        }
-      result.column.reserve(result.start.back());
-      result.value.reserve(result.start.back() * Matrix::block_size +
-                           lanes(n_rows));
-      for (std::size_t i = 0; i < from.size(); ++i)
-        for (std::size_t l = A.start[from[i]]; l < A.start[from[i] + 1]; ++l)
-          if (!is_lower(i, l))
-            {
-              const auto block = A.block(from[i], l);
-              result.column.push_back(A.column[l]);
-              result.value.insert(result.value.end(),
-                                  block.data(),
-                                  block.data() + block.size());
-            }
-      return result;
-    }
-
     const bool        share;
     Matrix            A;
     EqualRows<Number> rows;
