@@ -187,11 +187,6 @@ namespace conetact::iterative
     }
 
   private:
-    template <int, int, typename>
-    friend class BlockMatrix;
-    template <int, int, typename>
-    friend class RowByRow;
-
     BlockRows<Number>
     rows(const std::size_t begin, const std::size_t end) const
     {
@@ -290,13 +285,6 @@ namespace conetact::iterative
       A.start.push_back(A.column.size());
     }
 
-    /** How many numbers it has kept. */
-    std::size_t
-    n_numbers() const
-    {
-      return A.value.size();
-    }
-
     Matrix
     finish()
     {
@@ -316,22 +304,35 @@ namespace conetact::iterative
   BlockMatrix<n_rows, n_columns, Number>
   with_equal_rows(BlockMatrix<n_rows, n_columns, Number> A)
   {
-    RowByRow<n_rows, n_columns, Number> rows(true);
-    std::vector<Number>                 numbers;
+    // Counted before any is kept: most matrices have few.
+    std::unordered_map<std::string_view, std::size_t> places;
+    std::vector<std::size_t>                          first;
+    std::size_t                                       n_numbers = 0;
     for (std::size_t i = 0; i < A.n_block_rows(); ++i)
       {
-        const std::size_t n = A.start[i + 1] - A.start[i];
-        numbers.clear();
-        if (n > 0)
-          {
-            const Number *const own = A.block(i, A.start[i]).data();
-            numbers.assign(own, own + n * A.block_size);
-          }
-        rows.append(A.column.data() + A.start[i], n, numbers);
-        if (2 * rows.n_numbers() > A.value.size())
+        const std::size_t      n = (A.start[i + 1] - A.start[i]) * A.block_size;
+        const std::string_view row(reinterpret_cast<const char *>(
+                                     A.value.data() +
+                                     A.start[i] * A.block_size),
+                                   n * sizeof(Number));
+        const auto [found, is_new] = places.emplace(row, n_numbers);
+        if (is_new)
+          n_numbers += n;
+        if (2 * n_numbers > A.value.size())
           return A;
+        first.push_back(found->second);
       }
-    return rows.finish();
+    std::vector<Number> value;
+    value.reserve(n_numbers + lanes(n_rows));
+    for (std::size_t i = 0; i < A.n_block_rows(); ++i)
+      if (first[i] == value.size())
+        value.insert(value.end(),
+                     A.value.data() + A.start[i] * A.block_size,
+                     A.value.data() + A.start[i + 1] * A.block_size);
+    value.resize(n_numbers + lanes(n_rows), Number(0));
+    A.value = std::move(value);
+    A.first = std::move(first);
+    return A;
   }
 } // namespace conetact::iterative
 

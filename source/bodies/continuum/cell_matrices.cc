@@ -13,7 +13,8 @@ namespace conetact::bodies
 {
   namespace
   {
-    /** Bytes of matrices that belong to one cell only and are kept. */
+    /** Bytes of matrices that belong to one cell each and are kept; of a body
+     * that has more, they are not. */
     constexpr std::size_t room_for_single_cells = 256u << 20;
   } // namespace
 
@@ -35,18 +36,19 @@ namespace conetact::bodies
   CellMatrices<dim>::keep_matrices()
   {
     const std::size_t n_dofs = dim * mesh.n_cell_nodes;
-    std::size_t       room =
-      room_for_single_cells / (sizeof(double) * n_dofs * n_dofs);
+    const auto is_single = [](const auto &shape) { return shape.n_cells == 1; };
+    const auto n_single  = static_cast<std::size_t>(
+      std::count_if(shapes.all().begin(), shapes.all().end(), is_single));
+    // Shapes that come again always pay; the others only save a computation
+    // for each product.
+    const bool has_room =
+      n_single * sizeof(double) * n_dofs * n_dofs <= room_for_single_cells;
     for (const auto &shape : shapes.all())
       {
-        const bool is_kept = shape.n_cells > 1 || room > 0;
+        const bool is_kept = has_room || !is_single(shape);
         kept.push_back(is_kept ? static_cast<int>(matrices.size()) : -1);
-        if (!is_kept)
-          continue;
-        // Shapes that come again always pay; the others only save a computation
-        // for each product.
-        room -= shape.n_cells == 1;
-        matrices.push_back(compute(shape.first_cell));
+        if (is_kept)
+          matrices.push_back(compute(shape.first_cell));
       }
   }
 

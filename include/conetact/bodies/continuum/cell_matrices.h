@@ -14,7 +14,7 @@ namespace conetact::bodies
   /**
    * Stiffness matrices of all cells of a mesh. Cells of one material that are
    * translated copies of each other have the same: it is computed once, and
-   * kept. Matrices of single cells are kept as long as there is room.
+   * kept. Matrices of single cells are kept if there is room for all of them.
    */
   template <int dim>
   class CellMatrices
