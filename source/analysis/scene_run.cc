@@ -203,6 +203,7 @@ namespace conetact::analysis
       progress.near_sides = scene.near_sides;
       log.time("bodies, obstacles, contacts");
       built.analysis = make_analysis(scene, log);
+      give_back_memory();
       log.time("contact nodes and supports");
       built.analysis->report();
       if (line.dry_run)

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/multithread_info.h>
 
+#include <malloc.h>
 #include <mpi.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -321,6 +322,16 @@ namespace conetact
       return least;
     }
   } // namespace
+
+  void
+  give_back_memory()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+  }
+
+
 
   double
   machine_memory()

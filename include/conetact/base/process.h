@@ -77,6 +77,11 @@ namespace conetact
   double
   machine_memory();
 
+  /** Gives memory that has been freed in small pieces, such as that of a mesh,
+   * back to the machine. */
+  void
+  give_back_memory();
+
   /** What mpirun has told this process: how many there are, and its number. */
   struct Ranks
   {

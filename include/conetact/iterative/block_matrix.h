@@ -271,6 +271,14 @@ namespace conetact::iterative
       : share(are_shared)
     {}
 
+    /** Room for so many blocks, if no rows share theirs. */
+    void
+    reserve(const std::size_t n)
+    {
+      A.column.reserve(n);
+      if (!share)
+        A.value.reserve(n * Matrix::block_size + lanes(n_rows));
+    }
     /** Columns ascend, as many as there are blocks; `numbers` are these. */
     void
     append(const int                 *columns,

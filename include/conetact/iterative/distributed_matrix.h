@@ -249,6 +249,12 @@ namespace conetact::iterative
     {
       RowByRow<n_rows, n_columns, Number> own_rows(rows.shares_rows()),
         far_rows(rows.shares_rows());
+      const auto n_far = static_cast<std::size_t>(
+        std::count_if(rows.column.begin(), rows.column.end(), [&](const int j) {
+          return j < begin || j >= end;
+        }));
+      own_rows.reserve(rows.column.size() - n_far);
+      far_rows.reserve(n_far);
       std::vector<int>    own_columns, far_columns;
       std::vector<Number> own_numbers, far_numbers;
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)

@@ -74,7 +74,17 @@ namespace conetact::iterative
                n * rows.block_size,
                lists[at(side.rank)]);
         }
-    lists = processes.exchange(lists);
+    lists             = processes.exchange(lists);
+    std::size_t n_all = rows.column.size();
+    for (const std::vector<int> &list : lists)
+      unpack<float>(list,
+                    rows.block_size,
+                    [&](const int, const int *, const std::size_t more, auto) {
+                      n_all += more;
+                    });
+    // A vector that grows takes up to three times its memory.
+    rows.column.reserve(n_all);
+    rows.value.reserve((n_all + 1) * rows.block_size);
     for (const std::vector<int> &list : lists)
       unpack<float>(list,
                     rows.block_size,
