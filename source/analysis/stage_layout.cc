@@ -73,8 +73,9 @@ namespace conetact::analysis
     {
       Key         key;
       std::size_t number = 0, n = 0; ///< of unknowns
-      std::size_t first = 0, first_direction = 0;
+      std::size_t first        = 0;
       bool        is_candidate = false;
+      double      area         = 0; ///< with that of held nodes beside it
     };
 
     Numbers
@@ -88,7 +89,8 @@ namespace conetact::analysis
                                  static_cast<double>(point.node->body),
                                  static_cast<double>(point.node->node),
                                  static_cast<double>(point.dual.size()),
-                                 i < points.size() ? 1. : 0.})
+                                 i < points.size() ? 1. : 0.,
+                                 point.node->area})
             numbers.push_back(x);
         }
       return numbers;
@@ -99,7 +101,7 @@ namespace conetact::analysis
     {
       std::vector<KeptPoint> points;
       std::size_t            first = 0;
-      for (std::size_t k = 0; k + 4 < layout.size(); k += 5)
+      for (std::size_t k = 0; k + 5 < layout.size(); k += 6)
         {
           KeptPoint point;
           point.key          = {{layout[k], layout[k + 1], layout[k + 2]}};
@@ -107,6 +109,7 @@ namespace conetact::analysis
           point.n            = static_cast<std::size_t>(layout[k + 3]);
           point.first        = first;
           point.is_candidate = layout[k + 4] > 0;
+          point.area         = layout[k + 5];
           first += point.n;
           points.push_back(point);
         }
@@ -163,28 +166,45 @@ namespace conetact::analysis
           }
       }
 
-      /** Numbers of each node, `candidates` only or all, `fresh` of those that
-       * are new. */
-      template <typename Fresh>
+      /** Gaps at the start. A node that takes the part of a held one, or gives
+       * it back, is a mean over other nodes from here on. */
       void
-      nodes(const std::string &name,
-            const bool         candidates,
-            const std::size_t  per_node,
-            const Fresh       &fresh)
+      gaps(const std::string &name, const bool candidates)
       {
         if (!archive.has(name))
           return;
         const Numbers kept = archive.get(name);
         Numbers       now;
-        for (std::size_t i = 0;
-             i < (candidates ? points().size() : points().all().size());
-             ++i)
+        for (std::size_t i = 0; i < n_points(candidates); ++i)
+          {
+            const pairing::ContactNode &node = *points().all()[i].node;
+            const auto                  at   = before[i];
+            now.push_back(at && old[*at].area == node.area &&
+                              *at < kept.size() ?
+                            kept[*at] :
+                            node.gap);
+          }
+        archive.put(name, now);
+      }
+
+      /** Numbers of each node, `candidates` only or all, zero of those that are
+       * new. */
+      void
+      nodes(const std::string &name,
+            const bool         candidates,
+            const std::size_t  per_node)
+      {
+        if (!archive.has(name))
+          return;
+        const Numbers kept = archive.get(name);
+        Numbers       now;
+        for (std::size_t i = 0; i < n_points(candidates); ++i)
           for (std::size_t k = 0; k < per_node; ++k)
-            if (const auto at = before[i];
-                at && per_node * *at + k < kept.size())
-              now.push_back(kept[per_node * *at + k]);
-            else
-              now.push_back(fresh(*points().all()[i].node));
+            {
+              const auto at    = before[i];
+              const bool is_in = at && per_node * *at + k < kept.size();
+              now.push_back(is_in ? kept[per_node * *at + k] : 0.);
+            }
         archive.put(name, now);
       }
 
@@ -214,32 +234,23 @@ namespace conetact::analysis
         put_held();
       }
 
-      /** Components of forces along the unknowns, or of displacements, of which
-       * `u` knows those that are new. */
+      /** Components of forces along the unknowns. */
       void
-      unknowns(const std::string     &name,
-               const bool             all,
-               const bool             are_forces,
-               const Eigen::VectorXd &u)
+      forces(const std::string &name, const bool candidates)
       {
         const Numbers kept = archive.get(name);
         Numbers       now;
-        for (std::size_t i = 0;
-             i < (all ? points().all().size() : points().size());
-             ++i)
+        for (std::size_t i = 0; i < n_points(candidates); ++i)
           {
             const contact::ContactPoint &point = points().all()[i];
             const KeptPoint *const       from =
               before[i] ? &old[*before[i]] : nullptr;
             const bool alike = from != nullptr && from->n == point.dual.size();
-            const Tensor<1, 3> force = from != nullptr && are_forces ?
-                                         force_of(*from, kept) :
-                                         Tensor<1, 3>();
+            const Tensor<1, 3> force =
+              from != nullptr ? force_of(*from, kept) : Tensor<1, 3>();
             for (std::size_t k = 0; k < point.dual.size(); ++k)
-              now.push_back(
-                alike      ? kept[from->first + k] :
-                are_forces ? force * point.directions[k] :
-                             u[point.first + static_cast<Eigen::Index>(k)]);
+              now.push_back(alike ? kept[from->first + k] :
+                                    force * point.directions[k]);
           }
         archive.put(name, now);
       }
@@ -263,6 +274,11 @@ namespace conetact::analysis
       }
 
     private:
+      std::size_t
+      n_points(const bool candidates) const
+      {
+        return candidates ? points().size() : points().all().size();
+      }
       /** Of candidates, which come first. */
       std::vector<Remembered>
       kept_memories() const
@@ -383,28 +399,26 @@ namespace conetact::analysis
     const Numbers now = layout_of(model.points);
     if (!archive.has(layout_name) || archive.get(layout_name) == now)
       return false;
-    using Node        = pairing::ContactNode;
     const double    t = archive.get("contact/time").at(0);
     Translation     translation(model, t, archive);
-    const auto      zero = [](const Node &) { return 0.; };
-    const auto      gap  = [](const Node &node) { return node.gap; };
     Eigen::VectorXd u(model.coordinates.n_dofs());
     archive.fill("energies/u", u);
     u = model.relative_displacements(u, t);
     translation.memories(u);
-    translation.nodes("contact/states", true, 1, zero);
-    translation.nodes("contact/gap", true, 1, gap);
-    translation.nodes("rows/gaps", false, 1, gap);
-    translation.nodes("rows/states", false, 1, zero);
+    translation.nodes("contact/states", true, 1);
+    translation.gaps("contact/gap", true);
+    translation.gaps("rows/gaps", false);
+    translation.nodes("rows/states", false, 1);
     for (const char *name : {"rows/u",
                              "rows/du",
                              "rows/reactions",
                              "rows/other",
                              "energies/reactions"})
-      translation.nodes(name, false, 3, zero);
-    translation.unknowns("contact/q", false, false, u);
-    translation.unknowns("contact/r", false, true, u);
-    translation.unknowns("energies/r", true, true, u);
+      translation.nodes(name, false, 3);
+    // by the rows of this layout: nodes may act for others than before
+    archive.put("contact/q", u);
+    translation.forces("contact/r", true);
+    translation.forces("energies/r", false);
     translation.new_directions();
     archive.put("energies/points",
                 static_cast<double>(model.points.all().size()));

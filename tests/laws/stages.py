@@ -193,6 +193,26 @@ def assembled(laws, backend):
     laws.check("  and the weight", abs(last["tie_f_y"] + last["touch_f_y"] - 2.0), 1e-9)
 
 
+def let_go(laws, dim, backend):
+    """Two blocks by mortar, the side of the slave in a clamp that is taken off: a node beside it has acted for the held one as well."""
+    slave, master, top = (2, 3, 3) if dim == 2 else (4, 5, 5)
+    cells, size = (4,) + (2,) * (dim - 1), (2.0,) + (1.0,) * (dim - 1)
+    up, below = "xyz"[dim - 1], (0.0,) * (dim - 1) + (-1.0,)
+    scene = {"Dimension": dim, "Body upper": box(cells, size), "Body lower": box(cells, size, below),
+             "Contact joint": joint("upper", slave, "lower", master, **{"Friction coefficient": .3}),
+             "Support floor": support(slave, ", ".join("xyz"[:dim]), body="lower"),
+             "Support clamp": support(1, ", ".join("xyz"[:dim]), body="upper", Active="t < 1.5"),
+             "Load press": load("pressure", "5*min(t, 1)", top, body="upper"),
+             "Time": {"End": 3, "Increments": 3}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    laws.admissible(f"{dim}D, {backend}: a clamp beside a mortar contact is taken off", run, lambda row: .3)
+    last = run.increments[-1]
+    laws.check("  what is pressed rests on the other", abs(last[f"joint_f_{up}"] - 10.0) / 10, 1e-9)
+    rest = [(a["r_n"], b["r_n"], a["r_t1"], b["r_t1"]) for a, b in zip(run_at(run, 2), run_at(run, 3))]
+    laws.check("  and rests then", max(abs(a - b) + abs(c - d) for a, b, c, d in rest) / run.largest("r_n"), 1e-9)
+    laws.demand("  nodes that were held are there", len(run_at(run, 1)) < len(run_at(run, 2)))
+
+
 def press_fit(laws):
     """A ring is pressed on another without friction, which is then switched on and carries a force along the axis, up to mu p A."""
     inner, joint_radius, outer, depth, mu = 1.0, 2.0, 3.0, .002, .2
@@ -235,6 +255,7 @@ def stages(laws):
             frictionless(laws, dim, backend)
             with_friction(laws, dim, backend)
             normal(laws, dim, backend)
+            let_go(laws, dim, backend)
         held_all(laws, dim)
         parted(laws, dim)
         remembers(laws, dim, "condensed")  # walls hold its corners along friction
