@@ -136,18 +136,6 @@ namespace conetact::analysis
         }
     }
 
-    /** Why a later stage cannot begin anew with contacts that slide far, a
-     * sentence. */
-    std::string
-    why_not_anew(const application::Scene                  &scene,
-                 const std::map<unsigned int, std::string> &sliding)
-    {
-      const auto &[contact, why] = *sliding.begin();
-      return "Contact '" + scene.contact_names[contact] +
-             "' needs finite sliding in a stage of other supports: " + why +
-             ". Set Kinematics = finite sliding for it";
-    }
-
     /** Of the stages of its supports; whether it is the last one. */
     bool
     take_stage(const application::CommandLine &line,
@@ -220,8 +208,7 @@ namespace conetact::analysis
     run_built(const Built                    &built,
               const application::CommandLine &line,
               Log                            &log,
-              Progress                       &progress,
-              const double                    reached_before)
+              Progress                       &progress)
     {
       const application::Scene   &scene    = *built.scene;
       Analysis                   &analysis = *built.analysis;
@@ -246,8 +233,7 @@ namespace conetact::analysis
       if (!analysis.leaves_small().empty())
         {
           note_slides(analysis, scene, progress, log);
-          if (reached_before > 0)
-            throw AnalysisError(why_not_anew(scene, progress.shown_to_slide));
+          agree([&] { remove_file(folder / "checkpoint.bin"); });
           progress.reached = 0;
           return true;
         }
@@ -317,8 +303,7 @@ namespace conetact::analysis
     bool
     run_mesh(const application::CommandLine &line, Log &log, Progress &progress)
     {
-      const double before = progress.reached;
-      Built        built;
+      Built built;
       agree([&] { built = build(line, log, progress); });
       if (line.print_parameters)
         print(built.scene->entries.documentation());
@@ -328,8 +313,7 @@ namespace conetact::analysis
           return false;
         }
       form_team(built.analysis->useful_processes());
-      const bool again =
-        is_in_team() && run_built(built, line, log, progress, before);
+      const bool again = is_in_team() && run_built(built, line, log, progress);
       return join_first(built, again, progress, log);
     }
   } // namespace

@@ -75,7 +75,9 @@ namespace conetact::analysis
       std::size_t number = 0, n = 0; ///< of unknowns
       std::size_t first        = 0;
       bool        is_candidate = false;
-      double      area         = 0; ///< with that of held nodes beside it
+      /** With that of held nodes beside it, which nodes that slide far do not
+       * have. */
+      double area = 0;
     };
 
     Numbers
@@ -90,7 +92,7 @@ namespace conetact::analysis
                                  static_cast<double>(point.node->node),
                                  static_cast<double>(point.dual.size()),
                                  i < points.size() ? 1. : 0.,
-                                 point.node->area})
+                                 point.node->slides ? 0. : point.node->area})
             numbers.push_back(x);
         }
       return numbers;

@@ -129,7 +129,7 @@ namespace conetact::application
       {
         if (slides_in_continued_run(*former.restart, c))
           chosen.why_finite = "it slides far in the run that is continued";
-        else
+        else if (!former.restart->is_of_this_run)
           chosen.why_not_finite =
             "the run that is continued has it small; run the scene from its "
             "start";

@@ -72,7 +72,10 @@ namespace conetact::application
                 times.end());
     if (checkpoint_every == 0) // at its end only
       checkpoint_every = static_cast<unsigned int>(times.size());
-    if (!folder.empty())
-      restart = continue_from(folder, entries.values(), *this);
+    if (folder.empty())
+      return;
+    const bool continues_other = restart.has_value();
+    restart                    = continue_from(folder, entries.values(), *this);
+    restart->is_of_this_run    = !continues_other;
   }
 } // namespace conetact::application

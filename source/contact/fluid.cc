@@ -134,7 +134,8 @@ namespace conetact::contact
       // [force]: r_n / area < p_fluid, without a division by an area that may
       // be 0.
       const double force = node.fluid->pressure(t) * node.covered_area();
-      return before[i] || r[points[i].normal()] < force;
+      // Sides that do not see each other have no gap between them.
+      return node.is_active(t) && (before[i] || r[points[i].normal()] < force);
     };
     std::vector<std::size_t> front;
     for (const std::size_t i : sources)

@@ -39,6 +39,16 @@ def uniform(laws):
         laws.demand(f"{what}: it leaks", "leaks" in log_of(run) and "increment 2" in log_of(run))
 
 
+def away(laws):
+    """A contact that begins later, or has ended: sides that do not see each other let no fluid in, and nothing presses them."""
+    for dim in (2, 3):
+        for active, force in (("t > 1.5", (0, 30, 30)), ("t < 1.5", (30, 0, 0))):
+            run = laws.run(pressed(dim, .01, "15", Active=active))
+            f = f"bottom_f_{'xyz'[dim - 1]}"
+            laws.check(f"{dim}D, Active = {active}: forces", max(abs(i.get(f, 0.0) - e) for i, e in zip(run.increments, force)) / 30, 1e-9)
+            laws.demand("  all increments", len(run.increments) == 3)
+
+
 def wedge(laws):
     """Columns without shear stiffness, pressed by 4 to 20: the fluid of 9 gets to where they are pressed by as much."""
     for dim in (2, 3):
@@ -90,5 +100,6 @@ def flange(laws):
 def seals(laws):
     flange(laws)
     uniform(laws)
+    away(laws)
     wedge(laws)
     lubricated(laws)

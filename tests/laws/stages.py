@@ -213,6 +213,21 @@ def let_go(laws, dim, backend):
     laws.demand("  nodes that were held are there", len(run_at(run, 1)) < len(run_at(run, 2)))
 
 
+def slides_later(laws):
+    """A block that slides by its own width in the second stage: the run begins anew with finite sliding, as if that had been asked for."""
+    scene = {"Dimension": 2, "Body block": box((4, 2), (2.0, 1.0)), "Body base": box((12, 2), (6.0, 1.0), (-1.0, -1.0)),
+             "Contact sole": joint("block", 2, "base", 3, **{"Friction coefficient": .3}),
+             "Support floor": support(2, "x, y", body="base"), "Support clamp": support(1, "x, y", body="base", Active="t < 1.5"),
+             "Support push": support(0, "x", "max(0, t - 1)"), "Load press": load("pressure", "5*min(t,1)", 3),
+             "Time": {"Times": "1, 2, 3"}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    laws.demand("what slides far in a later stage: three increments", [i["increment"] for i in run.increments] == [1, 2, 3])
+    laws.check("  friction of all that is pressed", abs(abs(run.increments[-1]["sole_f_x"]) - 3) / 3, 2e-3)
+    asked = laws.run(merge(scene, {"Contact sole": {"Kinematics": "finite sliding"}}))
+    laws.check("  as where finite sliding is asked for",
+               max(abs(a["r_n"] - b["r_n"]) + abs(a["u_t1"] - b["u_t1"]) for a, b in zip(run.rows, asked.rows)), 1e-11)
+
+
 def press_fit(laws):
     """A ring is pressed on another without friction, which is then switched on and carries a force along the axis, up to mu p A."""
     inner, joint_radius, outer, depth, mu = 1.0, 2.0, 3.0, .002, .2
@@ -262,4 +277,5 @@ def stages(laws):
     agree_in_turn(laws)
     assembled(laws, "condensed")  # the iterative one knows no friction along what supports hold of pairs
     press_fit(laws)
+    slides_later(laws)
     refused_late(laws)

@@ -18,6 +18,8 @@ namespace conetact::application
     std::filesystem::path folder;
     Archive               state;
     unsigned int          n_done = 0; ///< increments
+    /** It is an earlier stage of this run, which may begin anew. */
+    bool is_of_this_run = false;
   };
 
   /** Throws InputError where a run writes checkpoints that cannot be continued.
