@@ -126,7 +126,7 @@ namespace conetact::analysis
     verification.set_stiffness(stiffness.unaryExpr([largest](const double k) {
       return k > 0 ? k : largest;
     }),
-                               elastic.bound_stiffness());
+                               elastic.bound().stiffness());
   }
 
   verification::Claim

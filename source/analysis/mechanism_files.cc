@@ -23,10 +23,10 @@ namespace conetact::analysis
   MechanismFiles::displacements(const Eigen::VectorXd &velocity) const
   {
     if (model.condensed_form() == solvers::Form::stiffness)
-      return model.elasticity().correction(model.elasticity().reduce_unbalanced(
-                                             Eigen::VectorXd::Zero(
-                                               model.coordinates.n_dofs())),
-                                           velocity);
+      return model.elasticity().correction(
+        model.elasticity().reduce_unbalanced(
+          {Eigen::VectorXd::Zero(model.coordinates.n_dofs()), {}, {}, {}, {}}),
+        velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));
