@@ -44,11 +44,11 @@ namespace conetact::analysis
     for (std::size_t b = 0; b < model.bodies.names.size(); ++b)
       {
         blocks.emplace_back(output::safe_names(model.bodies.names)[b], name(b));
-        model.bodies.structures[b]->write_graphics(
-          u.segment(model.coordinates.offset(b),
-                    model.bodies.structures[b]->n_dofs()),
-          t,
-          folder / blocks.back().second);
+        bodies::write_graphics(*model.bodies.structures[b],
+                               u.segment(model.coordinates.offset(b),
+                                         model.bodies.structures[b]->n_dofs()),
+                               t,
+                               folder / blocks.back().second);
       }
     output::PvdFile(folder / "mechanism.pvd").add(t, blocks);
   }

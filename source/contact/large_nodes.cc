@@ -110,7 +110,7 @@ namespace conetact::contact
     for (std::size_t b = 0; b < elastic.bodies.structures.size(); ++b)
       if (const bodies::Structure &structure = *elastic.bodies.structures[b];
           is_frame(elastic.bodies, b))
-        structure.for_each_element(
+        structure.elements().for_each(
           [&](const std::vector<unsigned int> &dofs, const double *matrix) {
             for (std::size_t i = 0; i < dofs.size(); ++i)
               {
