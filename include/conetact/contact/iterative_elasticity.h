@@ -58,7 +58,7 @@ namespace conetact::contact
     ElasticReport
     report() const override
     {
-      return {"stiffness of all unknowns, levels of multigrid"};
+      return {"stiffness of all unknowns, levels of multigrid", 0, 0, {}};
     }
 
   protected:
