@@ -133,11 +133,10 @@ namespace conetact::contact
   std::vector<unsigned int>
   nodes_of_unknowns(const Coordinates &coordinates)
   {
-    std::vector<unsigned int> nodes    = coordinates.node_of_unknowns();
-    const std::vector<bool>   rotation = coordinates.are_rotations();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      nodes[k] = rotation[k] ? node_of_rotations(nodes[k]) :
-                               node_of_displacements(nodes[k]);
+    std::vector<unsigned int> nodes;
+    for (const Coordinates::Origin &origin : coordinates.origins())
+      nodes.push_back(origin.is_rotation ? node_of_rotations(origin.node) :
+                                           node_of_displacements(origin.node));
     return nodes;
   }
 
