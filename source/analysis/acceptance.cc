@@ -77,9 +77,8 @@ namespace conetact::analysis
       for (std::size_t i = 0; i < points.size(); ++i)
         {
           const auto k  = static_cast<Eigen::Index>(i);
-          kept.whole[i] = laws->is_whole(i,
-                                         after.memory().opened[k],
-                                         after.memory().slipped[k]);
+          kept.whole[i] = (*laws)[i].bond().is_whole(after.memory().opened[k],
+                                                     after.memory().slipped[k]);
         }
       return kept;
     }
@@ -127,7 +126,7 @@ namespace conetact::analysis
     verification.set_stiffness(stiffness.unaryExpr([largest](const double k) {
       return k > 0 ? k : largest;
     }),
-                               elastic.bound_stiffness());
+                               elastic.bound().stiffness());
   }
 
   verification::Claim

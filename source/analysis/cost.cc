@@ -200,7 +200,7 @@ namespace conetact::analysis
       double           all = 0, unequal = 0;
       for (const bodies::Structure *body : model.bodies.structures)
         {
-          const auto   count      = body->matrix_count();
+          const auto   count      = body->elements().count();
           const double n_elements = count.elements;
           all += n_elements;
           if (count.matrices * few > n_elements)
@@ -218,11 +218,12 @@ namespace conetact::analysis
       const unsigned int                  step = 1 + body.n_nodes() / most;
       const unsigned int                  n    = body.n_components();
       std::vector<std::set<unsigned int>> met(body.n_nodes() / step + 1);
-      body.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-        for (const unsigned int dof : dofs)
-          if (dof % n == 0 && (dof / n) % step == 0)
-            met[dof / n / step].insert(dofs.begin(), dofs.end());
-      });
+      body.elements().for_each_connection(
+        [&](const std::vector<unsigned int> &dofs) {
+          for (const unsigned int dof : dofs)
+            if (dof % n == 0 && (dof / n) % step == 0)
+              met[dof / n / step].insert(dofs.begin(), dofs.end());
+        });
       double sum = 0, count = 0;
       for (const std::set<unsigned int> &others : met)
         if (!others.empty())

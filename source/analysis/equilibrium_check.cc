@@ -75,7 +75,7 @@ namespace conetact::analysis
       return "";
     std::vector<bool> active;
     for (std::size_t i = 0; i < run.model.points.size(); ++i)
-      active.push_back(laws->sees(i));
+      active.push_back((*laws)[i].sees());
     if (std::find(active.begin(), active.end(), false) == active.end())
       return "";
     const Eigen::VectorXd load = run.model.elasticity().contact_load(problem);

@@ -287,7 +287,7 @@ namespace conetact::analysis
   IncrementSolver::take_bound(PendingIncrement &increment)
   {
     increment.bound =
-      run.model.elasticity().bound_state(increment.load, increment.primal);
+      run.model.elasticity().bound().state(increment.load, increment.primal);
   }
 
   contact::OpenMotions
@@ -334,25 +334,20 @@ namespace conetact::analysis
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
     const contact::Elasticity &elastic = run.model.elasticity();
-    contact::LoadCase          change =
-      elastic.reduce_unbalanced(run.acceptance.unbalanced(finding));
-    elastic.add_missed(finding.displacements.head(
-                         run.model.points.n_unknowns()) -
-                         increment.contact,
-                       finding.missed_by_bound,
-                       change);
-    // Where a body has moved further than it deforms, the rounding of this way
-    // is what is left.
-    const bool is_rounded =
-      elastic.is_rounded_by(increment.motions - increment.base, w);
-    if (!is_rounded)
-      increment.load.f += change.f;
-    if (!is_rounded && change.bound.size() > 0)
+    const contact::LoadCase    change  = elastic.reduce_unbalanced(
+      {run.acceptance.unbalanced(finding),
+           finding.displacements.head(run.model.points.n_unknowns()) -
+             increment.contact,
+           finding.missed_by_bound,
+           increment.motions - increment.base,
+           w});
+    increment.load.f += change.f;
+    if (change.bound.size() > 0)
       increment.load.bound += change.bound;
     run.history = increment.before;
     run.history.linearise_at(increment.motions);
     const solvers::ContactState guess =
-      elastic.restart(run.history.start(), increment.end);
+      elastic.states().restart(run.history.start(), increment.end);
     const unsigned int    before = increment.record.report.iterations;
     const Eigen::VectorXd old    = increment.primal;
     if (solve_from(guess, increment))
@@ -440,7 +435,7 @@ namespace conetact::analysis
                               PendingIncrement    &increment)
   {
     const Eigen::VectorXd w =
-      run.model.elasticity().deformation(increment.primal);
+      run.model.elasticity().states().deformation(increment.primal);
     const Eigen::VectorXd motions = increment.motions;
     run.history                   = increment.before;
     if (std::string lost = take(std::move(found)); !lost.empty())

@@ -23,10 +23,10 @@ namespace conetact::analysis
   MechanismFiles::displacements(const Eigen::VectorXd &velocity) const
   {
     if (model.condensed_form() == solvers::Form::stiffness)
-      return model.elasticity().correction(model.elasticity().reduce_unbalanced(
-                                             Eigen::VectorXd::Zero(
-                                               model.coordinates.n_dofs())),
-                                           velocity);
+      return model.elasticity().correction(
+        model.elasticity().reduce_unbalanced(
+          {Eigen::VectorXd::Zero(model.coordinates.n_dofs()), {}, {}, {}, {}}),
+        velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));
@@ -44,11 +44,11 @@ namespace conetact::analysis
     for (std::size_t b = 0; b < model.bodies.names.size(); ++b)
       {
         blocks.emplace_back(output::safe_names(model.bodies.names)[b], name(b));
-        model.bodies.structures[b]->write_graphics(
-          u.segment(model.coordinates.offset(b),
-                    model.bodies.structures[b]->n_dofs()),
-          t,
-          folder / blocks.back().second);
+        bodies::write_graphics(*model.bodies.structures[b],
+                               u.segment(model.coordinates.offset(b),
+                                         model.bodies.structures[b]->n_dofs()),
+                               t,
+                               folder / blocks.back().second);
       }
     output::PvdFile(folder / "mechanism.pvd").add(t, blocks);
   }

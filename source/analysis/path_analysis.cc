@@ -349,7 +349,7 @@ namespace conetact::analysis
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
     pending.bound =
-      model.elasticity().bound_state(pending.load, pending.primal);
+      model.elasticity().bound().state(pending.load, pending.primal);
   }
 
 
@@ -364,17 +364,20 @@ namespace conetact::analysis
          step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
          ++step)
       {
-        contact::Elasticity &elastic = model.elasticity();
-        contact::LoadCase    change =
-          elastic.reduce_unbalanced(acceptance.unbalanced(finding));
-        elastic.move_bound(finding.missed_by_bound, change);
+        contact::Elasticity    &elastic = model.elasticity();
+        const contact::LoadCase change =
+          elastic.reduce_unbalanced({acceptance.unbalanced(finding),
+                                     {},
+                                     finding.missed_by_bound,
+                                     {},
+                                     {}});
         const Eigen::VectorXd refined =
           w + elastic.correction(change,
                                  Eigen::VectorXd::Zero(pending.primal.size()));
         PendingIncrement better = pending;
         if (change.bound.size() > 0)
           better.load.bound += change.bound;
-        better.bound = elastic.bound_state(better.load, better.primal);
+        better.bound = elastic.bound().state(better.load, better.primal);
         verification::Finding found = acceptance.judge(better, refined);
         if (!(found.equilibrium < .5 * finding.equilibrium) ||
             found.residual > std::max(finding.residual, scene.solver.tolerance))

@@ -65,14 +65,16 @@ namespace conetact::analysis
   void
   RunContext::make_elasticity()
   {
-    const contact::Elasticity &elastic = model.elasticity();
-    const double               bytes   = elastic.factor_bytes();
-    log.time(elastic.description() +
-             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
+    const contact::Elasticity   &elastic = model.elasticity();
+    const contact::ElasticReport report  = elastic.report();
+    log.time(report.description +
+             (report.factor_bytes > 0 ?
+                ", factor of " + megabytes(report.factor_bytes) :
+                ""));
     const auto n = static_cast<double>(model.points.n_all_unknowns());
     if (elastic.system()->matrix.size() > 0)
       log.note("condensed stiffness: " + megabytes(8 * n * n));
-    report_shared_bodies(model.bodies, elastic.n_shared_bodies(), log);
+    report_shared_bodies(model.bodies, report.n_shared_bodies, log);
   }
 
   void

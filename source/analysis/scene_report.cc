@@ -191,7 +191,7 @@ namespace conetact::analysis
       warn(cautions, log);
       for (std::size_t b = 0; b < bodies.names.size(); ++b)
         if (const auto [elements, matrices] =
-              bodies.structures[b]->matrix_count();
+              bodies.structures[b]->elements().count();
             matrices < elements)
           log.note("skipped: " + std::to_string(elements - matrices) + " of " +
                    std::to_string(elements) + " cell matrices of body " +

@@ -5,7 +5,8 @@
 
 #include "conetact/analysis/adaptive_refinement.h"
 #include "conetact/analysis/cost.h"
-#include "conetact/analysis/make_analysis.h"
+#include "conetact/analysis/increment_analysis.h"
+#include "conetact/analysis/path_analysis.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
@@ -190,7 +191,10 @@ namespace conetact::analysis
       scene.build(adaptive.refinements());
       progress.near_sides = scene.near_sides;
       log.time("bodies, obstacles, contacts");
-      built.analysis = make_analysis(scene, log);
+      if (scene.path.follows)
+        built.analysis = std::make_unique<PathAnalysis>(scene, log);
+      else
+        built.analysis = std::make_unique<IncrementAnalysis>(scene, log);
       give_back_memory();
       log.time("contact nodes and supports");
       built.analysis->report();

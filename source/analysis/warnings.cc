@@ -109,7 +109,7 @@ namespace conetact::analysis
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int       n_c       = structure.n_components();
     double                   least     = std::numeric_limits<double>::max();
-    structure.for_each_element(
+    structure.elements().for_each(
       [&](const std::vector<unsigned int> &dofs, const double *) {
         const unsigned int a      = dofs.front() / n_c;
         const Point<3>     origin = structure.position(a);
@@ -130,12 +130,12 @@ namespace conetact::analysis
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset = model.coordinates.offset(body);
     const Index        n      = model.coordinates.offset(body + 1) - offset;
-    if (structure.largest_stretch(w.segment(offset, n)) <=
+    if (structure.elements().largest_stretch(w.segment(offset, n)) <=
         large_strain * shortest_side(body))
       return 0;
     double largest = 0; // square, until the end
-    structure.for_each_element([&](const std::vector<unsigned int> &dofs,
-                                   const double *) {
+    structure.elements().for_each([&](const std::vector<unsigned int> &dofs,
+                                      const double *) {
       const unsigned int a = dofs.front() / n_c;
       for (const unsigned int dof : dofs)
         if (const unsigned int b = dof / n_c; b != a)

@@ -47,7 +47,7 @@ namespace conetact::application
         std::all_of(bodies.begin(),
                     bodies.end(),
                     [](const bodies::Structure *body) {
-                      return body->matrix_count().elements == 0;
+                      return body->elements().count().elements == 0;
                     }))
       throw InputError("Adaptive refinement: no body has a mesh to refine, "
                        "frames keep their members. Set it to 0.");

@@ -77,11 +77,10 @@ namespace conetact::bodies
     mass_of(const double density, const Structure &body)
     {
       Eigen::VectorXd f = Eigen::VectorXd::Zero(body.n_dofs());
-      body.add_body_force(
-        [&](const Point<3> &) {
-          return Tensor<1, 3>({0, density, 0});
-        },
-        f);
+      body.add(Action::body_force([&](const Point<3> &) {
+                 return Tensor<1, 3>({0, density, 0});
+               }),
+               f);
       return sum_along_y(body, f);
     }
 

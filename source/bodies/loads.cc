@@ -44,6 +44,20 @@ namespace conetact::bodies
           }
     }
 
+    std::string
+    why_nothing_takes(const Action &action)
+    {
+      if (action.kind == Action::Kind::point_force)
+        return "Point: " + to_text(action.point) +
+               " lies outside the body. Give a point of the body, in the "
+               "coordinates of the scene.";
+      if (action.kind == Action::Kind::line_load)
+        return "Boundary ids: a line load acts on the members of a frame, and "
+               "none has both its nodes there. Give a member 'group', or use a "
+               "traction.";
+      return "Body: nothing in it strains of itself. Choose another body.";
+    }
+
     /** A force or a moment on a rigid body. */
     void
     add_at_first_node(const Load      &load,
@@ -125,47 +139,33 @@ namespace conetact::bodies
     switch (kind)
       {
         case Kind::traction:
-          return Action{Action::Kind::traction, ids, {}, vector, {}};
+          return Action::traction(ids, vector);
         case Kind::pressure:
-          return Action{Action::Kind::traction, ids, {}, inward, {}};
+          return Action::traction(ids, inward);
         case Kind::force:
         case Kind::moment:
-          return Action{Action::Kind::traction,
-                        ids,
-                        {},
-                        [this, t](const Point<3> &p, const Tensor<1, 3> &) {
-                          return spread_traction(p, t);
-                        },
-                        {}};
+          return Action::traction(ids,
+                                  [this, t](const Point<3> &p,
+                                            const Tensor<1, 3> &) {
+                                    return spread_traction(p, t);
+                                  });
         case Kind::bearing:
-          return Action{Action::Kind::traction,
-                        ids,
-                        {},
-                        spread->bearing(evaluate(value, point, t)),
-                        {}};
+          return Action::traction(ids,
+                                  spread->bearing(evaluate(value, point, t)));
         case Kind::centrifugal:
-          return Action{Action::Kind::body_force,
-                        {},
-                        {},
-                        [this, t](const Point<3> &p, const Tensor<1, 3> &) {
-                          return centrifugal_force(p, t);
-                        },
-                        {}};
+          return Action::body_force(
+            [this, t](const Point<3> &p) { return centrifugal_force(p, t); });
         case Kind::body_force:
-          return Action{Action::Kind::body_force, {}, {}, vector, {}};
+          return Action::body_force(
+            [this, t](const Point<3> &p) { return evaluate(value, p, t); });
         case Kind::point_force:
-          return Action{Action::Kind::point_force, {}, point, vector, {}};
+          return Action::point_force(point, evaluate(value, point, t));
         case Kind::line_load:
-          return Action{Action::Kind::line_load, ids, {}, vector, {}};
+          return Action::line_load(ids, vector);
         case Kind::temperature:
         case Kind::initial_strain:
-          return Action{Action::Kind::initial_strain,
-                        {},
-                        {},
-                        {},
-                        [this, t](const Point<3> &p) {
-                          return initial_strain(p, t);
-                        }};
+          return Action::initial_strains(
+            [this, t](const Point<3> &p) { return initial_strain(p, t); });
         default:
           return {};
       }
@@ -184,29 +184,10 @@ namespace conetact::bodies
       add_at_first_node(*this, structure, t, f);
     else if (!a)
       add_nodal_forces(*this, structure, t, f);
-    else if (a->kind == Action::Kind::traction)
-      structure.add_traction(ids, a->force, f);
-    else if (a->kind == Action::Kind::body_force)
-      structure.add_body_force(
-        [&](const Point<3> &p) { return a->force(p, Tensor<1, 3>()); }, f);
-    else if (a->kind == Action::Kind::point_force &&
-             !structure.add_point_force(point,
-                                        a->force(point, Tensor<1, 3>()),
-                                        f))
-      throw InputError(in + "Point: " + to_text(point) +
-                       " lies outside the body. Give a point of the body, in "
-                       "the coordinates of the scene.");
-    else if (a->kind == Action::Kind::line_load &&
-             !structure.add_line_load(ids, a->force, f))
-      throw InputError(in + "Boundary ids: a line load acts on the members of "
-                            "a frame, and none has both its nodes there. "
-                            "Give a member 'group', or use a traction.");
     else if (kind == Kind::temperature && !structure.expands())
       throw InputError(in + "Body: nothing in it expands. Set Expansion "
                             "coefficient in its Material or Sections.");
-    else if (a->kind == Action::Kind::initial_strain &&
-             !structure.add_initial_strain(a->strain, f))
-      throw InputError(in + "Body: nothing in it strains of itself. Choose "
-                            "another body.");
+    else if (!structure.add(*a, f))
+      throw InputError(in + why_nothing_takes(*a));
   }
 } // namespace conetact::bodies

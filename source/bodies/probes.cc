@@ -120,7 +120,7 @@ namespace conetact::bodies
     Tensor<1, 3> unit;
     unit[component]   = 1;
     Eigen::VectorXd f = Eigen::VectorXd::Zero(structure.n_dofs());
-    if (!structure.add_point_force(point, unit, f))
+    if (!structure.add(Action::point_force(point, unit), f))
       return {};
     std::vector<std::pair<Eigen::Index, double>> shapes;
     for (Eigen::Index i = 0; i < f.size(); ++i)

@@ -82,14 +82,14 @@ namespace conetact::bodies
   {
     Eigen::VectorXd f =
       Eigen::VectorXd::Zero(body.n_nodes() * body.n_components());
-    body.add_traction(
-      ids,
-      [&](const Point<3> &p, const Tensor<1, 3> &normal) {
-        Tensor<1, 3> traction;
-        traction[component_y] = function(p, normal);
-        return traction;
-      },
-      f);
+    body.add(Action::traction(ids,
+                              [&](const Point<3>     &p,
+                                  const Tensor<1, 3> &normal) {
+                                Tensor<1, 3> traction;
+                                traction[component_y] = function(p, normal);
+                                return traction;
+                              }),
+             f);
     return sum_along_y(body, f);
   }
 

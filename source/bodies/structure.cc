@@ -5,8 +5,6 @@
 
 #include "conetact/base/atomic_file.h"
 
-#include <deal.II/base/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -53,58 +51,12 @@ namespace conetact::bodies
     return reach;
   }
 
-  namespace
-  {
-    bool
-    has_some(const std::vector<unsigned int> &dofs,
-             const unsigned int               n_components,
-             const SomeNodes                 &nodes)
-    {
-      return std::any_of(dofs.begin(), dofs.end(), [&](const unsigned int dof) {
-        return nodes[dof / n_components];
-      });
-    }
-  } // namespace
-
   void
-  Structure::for_each_element_at(const SomeNodes      &nodes,
-                                 const ElementVisitor &visit) const
+  write_graphics(const Structure             &body,
+                 const Eigen::VectorXd       &u,
+                 const double                 time,
+                 const std::filesystem::path &file)
   {
-    AssertDimension(nodes.size(), n_nodes());
-    for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        if (has_some(dofs, n_components(), nodes))
-          visit(dofs, matrix);
-      });
-  }
-
-  void
-  Structure::for_each_connection_at(const SomeNodes         &nodes,
-                                    const ConnectionVisitor &visit) const
-  {
-    AssertDimension(nodes.size(), n_nodes());
-    for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      if (has_some(dofs, n_components(), nodes))
-        visit(dofs);
-    });
-  }
-
-  std::size_t
-  Structure::add_internal_forces_at(const SomeNodes & /*nodes*/,
-                                    const Eigen::VectorXd &u,
-                                    Eigen::VectorXd       &f) const
-  {
-    add_internal_forces(u, f);
-    std::size_t n = 0;
-    for_each_connection([&n](const std::vector<unsigned int> &) { ++n; });
-    return n;
-  }
-
-  void
-  Structure::write_graphics(const Eigen::VectorXd       &u,
-                            const double                 time,
-                            const std::filesystem::path &file) const
-  {
-    write_atomically(file, drawing(u, u, {}).text(time, 0));
+    write_atomically(file, body.drawing(u, u, {}).text(time, 0));
   }
 } // namespace conetact::bodies

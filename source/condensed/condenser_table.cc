@@ -39,27 +39,18 @@ namespace conetact::condensed
       return std::make_unique<MumpsSchur>(upper, n_schur, node_of);
     }
 
+    /** A method of Amesos. */
+    template <const char *name>
     Solver
-    create_klu(const SparseMatrix &upper,
-               const Index         n_schur,
-               const Nodes        &node_of)
+    create_amesos(const SparseMatrix &upper,
+                  const Index         n_schur,
+                  const Nodes        &node_of)
     {
-      return std::make_unique<AmesosSchur>("Amesos_Klu",
-                                           upper,
-                                           n_schur,
-                                           node_of);
+      return std::make_unique<AmesosSchur>(name, upper, n_schur, node_of);
     }
-
-    Solver
-    create_amesos_mumps(const SparseMatrix &upper,
-                        const Index         n_schur,
-                        const Nodes        &node_of)
-    {
-      return std::make_unique<AmesosSchur>("Amesos_Mumps",
-                                           upper,
-                                           n_schur,
-                                           node_of);
-    }
+    constexpr char amesos_klu[]    = "Amesos_Klu";
+    constexpr char amesos_mumps[]  = "Amesos_Mumps";
+    constexpr char amesos_lapack[] = "Amesos_Lapack";
 
     Solver
     create_lapack(const SparseMatrix &upper,
@@ -67,10 +58,7 @@ namespace conetact::condensed
                   const Nodes        &node_of)
     {
       refuse_large(upper, n_schur);
-      return std::make_unique<AmesosSchur>("Amesos_Lapack",
-                                           upper,
-                                           n_schur,
-                                           node_of);
+      return create_amesos<amesos_lapack>(upper, n_schur, node_of);
     }
 
     /**
@@ -136,11 +124,11 @@ namespace conetact::condensed
       {"amesos_klu",
        "KLU of Trilinos' Amesos, an independent method to compare with; slow "
        "in space",
-       &create_klu,
+       &create_amesos<amesos_klu>,
        &estimate_sparse},
       {"amesos_mumps",
        "MUMPS as Amesos calls it, contact node by contact node",
-       &create_amesos_mumps,
+       &create_amesos<amesos_mumps>,
        &estimate_sparse},
       {"amesos_lapack",
        "LAPACK of Amesos, dense, for small bodies (up to 6000 unknowns)",

@@ -19,10 +19,12 @@ namespace conetact::contact
   CondensedBodies::CondensedBodies(
     const ElasticSystem                          &e,
     const BodyCoordinates                        &o,
+    const condensed::Condenser                   &by,
     const std::vector<std::vector<unsigned int>> &groups,
     const Retain                                 &retain)
     : elastic(e)
     , own(o)
+    , condenser(by)
   {
     // Bodies at rest and rigid ones have no own unknowns, and no part.
     const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
@@ -78,7 +80,7 @@ namespace conetact::contact
   /* Bodies that their contacts hold: K_FF is positive definite, and the Schur
      complement of the retained unknowns is all that is wanted. */
   void
-  CondensedBodies::condense(const condensed::Condenser &condenser)
+  CondensedBodies::condense()
   {
     for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
       Part &part   = all_parts[i];
@@ -94,7 +96,6 @@ namespace conetact::contact
      rounding of K. */
   void
   CondensedBodies::condense(
-    const condensed::Condenser                               &condenser,
     const std::function<const MatrixXd &(unsigned int body)> &motions)
   {
     for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
@@ -109,7 +110,7 @@ namespace conetact::contact
   }
 
   condensed::FactorEstimate
-  CondensedBodies::estimate(const condensed::Condenser &condenser) const
+  CondensedBodies::estimate() const
   {
     condensed::FactorEstimate sum;
     for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
@@ -140,8 +141,7 @@ namespace conetact::contact
   /* The largest difference over the largest entry: both come from other orders
      of elimination, and 1e-15 to 1e-12 is what is left between them. */
   std::vector<StiffnessDifference>
-  CondensedBodies::compare(const condensed::Condenser &one,
-                           const condensed::Condenser &other) const
+  CondensedBodies::compare(const condensed::Condenser &other) const
   {
     std::vector<StiffnessDifference> result;
     for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
@@ -155,7 +155,7 @@ namespace conetact::contact
                                        by)
           .take_stiffness();
       };
-      const MatrixXd K = stiffness(one);
+      const MatrixXd K = stiffness(condenser);
       result.push_back({part.bodies,
                         (K - stiffness(other)).cwiseAbs().maxCoeff() /
                           K.cwiseAbs().maxCoeff()});
@@ -163,30 +163,19 @@ namespace conetact::contact
     return result;
   }
 
-  double
-  CondensedBodies::factor_bytes() const
+  ElasticReport
+  CondensedBodies::report() const
   {
-    double sum = 0;
+    ElasticReport sum;
+    sum.description = "condensation by " + std::string(condenser.name) +
+                      ": order, factor and Schur complement";
     for (const Part &part : all_parts)
-      sum += part.element->solver().factor_bytes();
-    return sum;
-  }
-
-  unsigned int
-  CondensedBodies::n_shared() const
-  {
-    std::size_t n = 0;
-    for (const Part &part : all_parts)
-      n += part.bodies.size() - 1;
-    return static_cast<unsigned int>(n);
-  }
-
-  condensed::SchurWork
-  CondensedBodies::work() const
-  {
-    condensed::SchurWork sum;
-    for (const Part &part : all_parts)
-      sum += part.element->solver().work();
+      {
+        sum.factor_bytes += part.element->solver().factor_bytes();
+        sum.n_shared_bodies +=
+          static_cast<unsigned int>(part.bodies.size() - 1);
+        sum.work += part.element->solver().work();
+      }
     return sum;
   }
 } // namespace conetact::contact

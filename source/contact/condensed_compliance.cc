@@ -5,8 +5,6 @@
 
 #include "conetact/base/index.h"
 #include "conetact/contact/equal_bodies.h"
-#include "conetact/contact/retained_unknowns.h"
-#include "conetact/contact/unseen_motions.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -19,8 +17,164 @@ namespace conetact::contact
   {
     using Eigen::Index;
     using SparseMatrix = Eigen::SparseMatrix<double>;
-    using Triplets     = std::vector<Eigen::Triplet<double>>;
+    using VectorXd     = Eigen::VectorXd;
 
+    /** The distance of p from a point, or from the line through two. */
+    double
+    distance(const Point<3> &p, const std::vector<Point<3>> &from)
+    {
+      const Tensor<1, 3> arm = p - from[0];
+      if (from.size() < 2)
+        return arm.norm();
+      const Tensor<1, 3> line = from[1] - from[0];
+      return cross_product_3d(line / line.norm(), arm).norm();
+    }
+
+    /** Which own unknowns bodies keep where contacts are rows H over them. */
+    struct RetainedUnknowns
+    {
+      const model::Bodies   &bodies;
+      const Coordinates     &coordinates; ///< without contacts
+      const RigidMotions    &motions;
+      const BodyCoordinates &own;
+      const SparseMatrix    &H;
+
+      /** Marks them, of all own unknowns of a body. */
+      void
+      operator()(const unsigned int body, std::vector<bool> &kept) const;
+      void
+      keep_anchors(const unsigned int body, std::vector<bool> &kept) const;
+    };
+
+    void
+    RetainedUnknowns::operator()(const unsigned int body,
+                                 std::vector<bool> &kept) const
+    {
+      AssertDimension(H.cols(), own.n_unknowns());
+      AssertDimension(kept.size(), at(own.end(body) - own.begin(body)));
+      for (Index p = own.begin(body); p < own.end(body); ++p)
+        // A column of H that is not empty: contacts see this unknown.
+        if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
+          kept[at(p - own.begin(body))] = true;
+      for (const auto &[of, node] : bodies.nodes_to_keep)
+        if (of == body)
+          for (unsigned int c = 0; c < bodies.dim; ++c)
+            own.for_row(coordinates.dof(body, node) + c,
+                        [&](const Index unknown, double) {
+                          kept[at(unknown - own.begin(body))] = true;
+                        });
+      if (std::count(motions.body_of_own().begin(),
+                     motions.body_of_own().end(),
+                     body) > 0)
+        keep_anchors(body, kept);
+    }
+
+    // A body that floats keeps some nodes far apart, or digits would go with
+    // the lever from its contacts to its ends; and a contact may be a single
+    // node.
+    void
+    RetainedUnknowns::keep_anchors(const unsigned int body,
+                                   std::vector<bool> &kept) const
+    {
+      AssertDimension(kept.size(),
+                      static_cast<std::size_t>(own.end(body) -
+                                               own.begin(body)));
+      const bodies::Structure &structure = *bodies.structures[body];
+      std::vector<Point<3>>    chosen    = {structure.position(0)};
+      for (unsigned int k = 0; k < bodies.dim; ++k)
+        {
+          unsigned int best     = 0;
+          double       furthest = -1;
+          for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+            {
+              const auto [begin, end] = own.unknowns_of(body, i);
+              const double d          = distance(structure.position(i), chosen);
+              // Only nodes that no support holds have all their unknowns.
+              if (end - begin >= bodies.dim && d > furthest)
+                {
+                  furthest = d;
+                  best     = i;
+                }
+            }
+          // The node furthest from any, then the one furthest from that, in
+          // space the one furthest from the line through both: they span the
+          // body.
+          if (k == 0) // the first one only served to find it
+            chosen.clear();
+          chosen.push_back(structure.position(best));
+          const auto [begin, end] = own.unknowns_of(body, best);
+          for (Index p = begin; p < end; ++p)
+            kept[at(p - own.begin(body))] = true;
+        }
+    }
+
+    /** Reactions and motions are all there is. */
+    class StatesOfCompliance : public ElasticStates
+    {
+    public:
+      StatesOfCompliance(const ContactPoints &p, const RigidMotions &m)
+        : points(p)
+        , motions(m)
+      {}
+
+      void
+      begin(const ElasticState    &state,
+            solvers::ContactState &start) const override
+      {
+        const Index n = points.n_unknowns() + state.motions.size();
+        start.v.conservativeResizeLike(VectorXd::Zero(n));
+        start.r.conservativeResizeLike(VectorXd::Zero(n));
+        // Motions count from those that the problem is written about.
+        start.r.tail(state.motions.size()) = state.motions - state.base;
+      }
+      void
+      end(const solvers::ContactState &end, ElasticState &state) const override
+      {
+        // The next problem is written about where its bodies are then.
+        if (end.r.size() > points.n_unknowns())
+          state.motions = state.base =
+            state.base + end.r.tail(state.motions.size());
+      }
+      VectorXd
+      primal(const ElasticState &state, const VectorXd &r) const override
+      {
+        AssertDimension(r.size(), points.n_unknowns());
+        VectorXd result(r.size() + state.motions.size());
+        result << r, state.motions;
+        return result;
+      }
+      void
+      move(const VectorXd &amounts,
+           const VectorXd &,
+           solvers::ContactState &end) const override
+      {
+        Assert(end.r.size() >= amounts.size(),
+               dealii::ExcMessage("Motions stand behind the reactions."));
+        end.r.tail(amounts.size()) += amounts;
+      }
+      /** A correction starts from the end of the try before, which is nearly
+       * right: the relation holds for rounded matrices. Motions count from
+       * there. */
+      solvers::ContactState
+      restart(const solvers::ContactState &,
+              const solvers::ContactState &end) const override
+      {
+        solvers::ContactState start = end;
+        start.r.tail(motions.n_free()).setZero();
+        return start;
+      }
+      void
+      restore(const std::vector<double> &,
+              const VectorXd &,
+              ElasticState &state) const override
+      {
+        state.start.reset();
+      }
+
+    private:
+      const ContactPoints &points;
+      const RigidMotions  &motions;
+    };
   } // namespace
 
   CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
@@ -29,19 +183,26 @@ namespace conetact::contact
                                            const RigidMotions         &m,
                                            const condensed::Condenser &by,
                                            const Empty)
-    : CondensedElasticity(by)
-    , elastic(e)
+    : elastic(e)
     , points(p)
     , coordinates(c)
     , motions(m)
     , own(elastic.bodies, coordinates)
-    , H(rows())
+    , rows(elastic.bodies, points, coordinates, own)
     , bodies(elastic,
              own,
+             by,
              find_equal_bodies(elastic, own),
-             RetainedUnknowns{elastic.bodies, coordinates, motions, own, H})
+             RetainedUnknowns{elastic.bodies,
+                              coordinates,
+                              motions,
+                              own,
+                              rows.matrix()})
     , free(elastic, motions, own)
-  {}
+    , eliminated(points, motions)
+  {
+    own_states = std::make_unique<StatesOfCompliance>(points, motions);
+  }
 
   CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
                                            const ContactPoints        &p,
@@ -50,48 +211,26 @@ namespace conetact::contact
                                            const condensed::Condenser &by)
     : CondensedCompliance(e, p, c, m, by, Empty())
   {
-    bodies.condense(condenser,
-                    [this](const unsigned int body) -> const MatrixXd & {
-                      return free.of_body(body);
-                    });
+    bodies.condense([this](const unsigned int body) -> const MatrixXd & {
+      return free.of_body(body);
+    });
     free.respond(bodies);
     assemble_system();
   }
 
-  /* The rows H over the own unknowns of all bodies: v = (u of the node) - (u of
-     the obstacle) or - sum of weight (u of a master), in components along the
-     dual directions. Motions of obstacles and supports are part of q. */
-  Eigen::SparseMatrix<double>
-  CondensedCompliance::rows() const
-  {
-    SparseMatrix result(points.n_all_unknowns(), own.n_unknowns());
-    Triplets     entries;
-    Index        row = 0;
-    for (const ContactPoint &point : points.all())
-      write_row(point, row, entries);
-    AssertDimension(row, result.rows());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
-  /* Other rows over the same bodies: K_b and P_b stay, W = H P H^T costs
-     products, and nothing is factorised. */
+  /* Rows are others over the same bodies: K_b and P_b stay, W = H P H^T costs
+     products. Cuts that are locked are motions less: R and Y are found again,
+     and W stays as it is. */
   bool
-  CondensedCompliance::relink()
+  CondensedCompliance::relink(const Changed what)
   {
-    H = rows();
-    assemble_system();
-    forget_reductions();
-    return true;
-  }
-
-  /* Cuts that are locked are motions less: R and Y are found again, and W stays
-     as it is. */
-  bool
-  CondensedCompliance::see_motions()
-  {
-    free.find();
-    free.respond(bodies);
+    if (what == Changed::contacts)
+      rows.find_again();
+    else
+      {
+        free.find();
+        free.respond(bodies);
+      }
     assemble_system();
     forget_reductions();
     return true;
@@ -126,6 +265,7 @@ namespace conetact::contact
   Eigen::VectorXd
   CondensedCompliance::forces_of(const VectorXd &primal) const
   {
+    const SparseMatrix &H = rows.matrix();
     AssertDimension(primal.size(), H.rows() + motions.own().cols());
     return H.transpose() * primal.head(H.rows()) -
            free.resistance(primal.tail(primal.size() - H.rows()));
@@ -147,22 +287,7 @@ namespace conetact::contact
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
     all.tail(motions.own().cols()) -= free.resultants(rounding);
-    set_load(all, load);
-  }
-
-  /* Solvers see the load without what is bound, and what bound reactions do in
-     answer to it is part of that. The bound part is kept, for they are computed
-     from it in the end. */
-  void
-  CondensedCompliance::set_load(const VectorXd &all, LoadCase &load) const
-  {
-    if (points.n_bound() == 0)
-      {
-        load.f = all;
-        return;
-      }
-    load.bound = bound.bound_part(all);
-    load.f     = bound.kept_part(all) + bound.effect(load.bound);
+    eliminated.set_load(all, load);
   }
 
   LoadCase
@@ -170,7 +295,9 @@ namespace conetact::contact
   {
     LoadCase load;
     load.b = VectorXd::Zero(own.n_unknowns());
-    set_load(VectorXd::Zero(H.rows() + motions.own().cols()), load);
+    eliminated.set_load(VectorXd::Zero(points.n_all_unknowns() +
+                                       motions.own().cols()),
+                        load);
     return load;
   }
 
@@ -193,8 +320,8 @@ namespace conetact::contact
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
-    VectorXd f(H.rows() + motions.own().cols());
-    f << H * w,
+    VectorXd f(points.n_all_unknowns() + motions.own().cols());
+    f << rows.matrix() * w,
       without_unseen(free.imbalance(b) + free.rigid_imbalance(forces));
     return f;
   }
@@ -209,33 +336,9 @@ namespace conetact::contact
       rounding * (motions.free_of_own().cwiseAbs().transpose() *
                   free.size_of_terms(load.b));
     for (Index j = 0; j < zero.size(); ++j)
-      if (double &sum = load.f[n_contact() + j]; std::abs(sum) <= zero[j])
+      if (double &sum = load.f[points.n_unknowns() + j];
+          std::abs(sum) <= zero[j])
         sum = 0;
-  }
-
-  /* An offset of the rows of what is bound is a load like q_t: v_t = 0 holds
-     with it. */
-  void
-  CondensedCompliance::move_bound(const VectorXd &offset, LoadCase &load) const
-  {
-    if (points.n_bound() == 0)
-      return;
-    VectorXd change            = VectorXd::Zero(load.bound.size());
-    change.head(offset.size()) = offset;
-    load.bound += change;
-    load.f += bound.effect(change);
-  }
-
-  BoundState
-  CondensedCompliance::bound_state(const LoadCase &load,
-                                   const VectorXd &primal) const
-  {
-    AssertDimension(primal.size(), n_contact() + motions.n_free());
-    if (points.n_bound() == 0)
-      return {};
-    const VectorXd x = bound.bound_of(primal, load.bound);
-    const Index    n = points.n_bound_unknowns();
-    return {x.head(n), motions.own() * x.tail(x.size() - n)};
   }
 
   /* Each body has w = P (b + H^T r - K_s R a), and what is prescribed. */
@@ -248,7 +351,8 @@ namespace conetact::contact
     MatrixXd   forces(own.n_unknowns(), n);
     for (Index k = 0; k < n; ++k)
       forces.col(k) =
-        loads[at(k)]->b + forces_of(all_of(*loads[at(k)], primal[at(k)]));
+        loads[at(k)]->b +
+        forces_of(eliminated.all_of(*loads[at(k)], primal[at(k)]));
     const MatrixXd               p = deform(forces);
     std::vector<Eigen::VectorXd> w;
     for (Index k = 0; k < n; ++k)
@@ -260,22 +364,18 @@ namespace conetact::contact
     return w;
   }
 
-  Eigen::VectorXd
-  CondensedCompliance::all_of(const LoadCase &load,
-                              const VectorXd &primal) const
-  {
-    return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
-  }
-
-  /* `unbalanced` is K w - f - H^T r: its negative is the load of the
-     correction. */
+  /* What is left is K w - f - H^T r: its negative is the load of the
+     correction. The load q takes up by how much recovered displacements miss W
+     r + G a + q. */
   LoadCase
-  CondensedCompliance::reduce_unbalanced(const VectorXd &unbalanced) const
+  CondensedCompliance::reduce_unbalanced(const Unbalanced &left) const
   {
-    AssertDimension(unbalanced.size(), coordinates.n_dofs());
+    AssertDimension(left.forces.size(), coordinates.n_dofs());
     LoadCase change;
-    change.b = -own.restrict(unbalanced);
-    set_load(reduce_all(change.b, -unbalanced), change);
+    change.b = -own.restrict(left.forces);
+    eliminated.set_load(reduce_all(change.b, -left.forces), change);
+    change.f.head(left.by_contacts.size()) += left.by_contacts;
+    eliminated.move(left.by_bound, change);
     return change;
   }
 
@@ -285,7 +385,8 @@ namespace conetact::contact
   CondensedCompliance::correction(const LoadCase &change,
                                   const VectorXd &primal) const
   {
-    return own.expand(deform(change.b + forces_of(all_of(change, primal))));
+    return own.expand(
+      deform(change.b + forces_of(eliminated.all_of(change, primal))));
   }
 
   condensed::FactorEstimate
@@ -297,7 +398,7 @@ namespace conetact::contact
   {
     return CondensedCompliance(
              elastic, points, coordinates, motions, condenser, Empty())
-      .bodies.estimate(condenser);
+      .bodies.estimate();
   }
 
   /* Heat presses no body as a whole: its forces cancel up to rounding, and a
@@ -315,7 +416,7 @@ namespace conetact::contact
     if (heat.size() == 0)
       return load;
     LoadCase hot = Elasticity::reduce(heat, VectorXd::Zero(prescribed.size()));
-    for (Index j = n_contact(); j < contact_system->n_unknowns(); ++j)
+    for (Index j = points.n_unknowns(); j < contact_system->n_unknowns(); ++j)
       if (contact_system->matrix(j, j) == 0) // rounding must not drive a body
         hot.f[j] = 0;
     load.b += hot.b;
@@ -333,7 +434,7 @@ namespace conetact::contact
                              const ElasticState      &state,
                              solvers::ContactProblem &problem) const
   {
-    AssertDimension(offset.size(), n_contact());
+    AssertDimension(offset.size(), points.n_unknowns());
     problem.load = load.f;
     problem.load.head(offset.size()) += offset;
     if (const Index k = contact_system->n_motions; k > 0)
@@ -342,21 +443,17 @@ namespace conetact::contact
 
   /* In compliance form f has forces in its balance rows only. What is bound may
      carry nearly all. */
-  double
-  CondensedCompliance::largest_force(const LoadCase &load) const
+  ForceScale
+  CondensedCompliance::force_scale(const LoadCase &load) const
   {
     const double force =
       solvers::largest(load.f.tail(contact_system->n_motions));
     if (points.n_bound() == 0)
-      return force;
+      return {force};
     const VectorXd none = VectorXd::Zero(load.f.size());
-    return std::max(force, solvers::largest(bound_state(load, none).r));
-  }
-
-  double
-  CondensedCompliance::reference_force(const LoadCase &load) const
-  {
-    return points.n_bound() == 0 ? 0. : rounding_of_past * largest_force(load);
+    const double   whole =
+      std::max(force, solvers::largest(eliminated.state(load, none).r));
+    return {whole, rounding_of_past * whole};
   }
 
   /* The shortest reactions that drive the motions as the load does, G^T r = R^T
@@ -368,76 +465,5 @@ namespace conetact::contact
     const VectorXd resultants = -motions.unresisted().transpose() *
                                 problem.load.tail(problem.system->n_motions);
     return shortest_load(problem.system->null_space, resultants);
-  }
-
-  void
-  CondensedCompliance::begin(const ElasticState    &state,
-                             solvers::ContactState &start) const
-  {
-    const Index n = n_contact(), k = state.motions.size();
-    start.v.conservativeResizeLike(VectorXd::Zero(n + k));
-    start.r.conservativeResizeLike(VectorXd::Zero(n + k));
-    // Motions count from those that the problem is written about.
-    start.r.tail(k) = state.motions - state.base;
-  }
-
-  void
-  CondensedCompliance::end(const solvers::ContactState &end,
-                           ElasticState                &state) const
-  {
-    // The next problem is written about where its bodies are then.
-    if (end.r.size() > n_contact())
-      state.motions = state.base =
-        state.base + end.r.tail(state.motions.size());
-  }
-
-  Eigen::VectorXd
-  CondensedCompliance::primal(const ElasticState &state,
-                              const VectorXd     &r) const
-  {
-    AssertDimension(r.size(), n_contact());
-    VectorXd result(n_contact() + state.motions.size());
-    result << r, state.motions;
-    return result;
-  }
-
-  void
-  CondensedCompliance::move(const VectorXd &amounts,
-                            const VectorXd &,
-                            solvers::ContactState &end) const
-  {
-    Assert(end.r.size() >= amounts.size(),
-           dealii::ExcMessage("Motions stand behind the reactions."));
-    end.r.tail(amounts.size()) += amounts;
-  }
-
-  void
-  CondensedCompliance::restore(const std::vector<double> &,
-                               const VectorXd &,
-                               ElasticState &state) const
-  {
-    state.start.reset(); // reactions and motions are all there is
-  }
-
-  /* The load q takes up by how much recovered displacements miss W r + G a +
-     q. */
-  void
-  CondensedCompliance::add_missed(const VectorXd &by_contacts,
-                                  const VectorXd &by_bound,
-                                  LoadCase       &change) const
-  {
-    change.f.head(by_contacts.size()) += by_contacts;
-    move_bound(by_bound, change);
-  }
-
-  /* A correction starts from the end of the try before, which is nearly right:
-     the relation holds for rounded matrices. Motions count from there. */
-  solvers::ContactState
-  CondensedCompliance::restart(const solvers::ContactState &,
-                               const solvers::ContactState &end) const
-  {
-    solvers::ContactState start = end;
-    start.r.tail(contact_system->n_motions).setZero();
-    return start;
   }
 } // namespace conetact::contact

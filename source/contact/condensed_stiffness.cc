@@ -35,15 +35,17 @@ namespace conetact::contact
 
     /** Bodies keep the unknowns of contacts, and no others. */
     CondensedBodies
-    bodies_with(const ElasticSystem      &elastic,
-                const BodyCoordinates    &own,
-                const std::vector<Index> &contact)
+    bodies_with(const ElasticSystem        &elastic,
+                const BodyCoordinates      &own,
+                const condensed::Condenser &condenser,
+                const std::vector<Index>   &contact)
     {
       std::vector<bool> kept(at(own.n_unknowns()), false);
       for (const Index p : contact)
         kept[at(p)] = true;
       return {elastic,
               own,
+              condenser,
               {},
               [&](const unsigned int body, std::vector<bool> &of_body) {
                 for (std::size_t i = 0; i < of_body.size(); ++i)
@@ -62,6 +64,67 @@ namespace conetact::contact
         row += own.begin(body);
       return rows;
     }
+
+    /** The elastic displacements of contact unknowns by themselves: v - o would
+     * round them where bodies have moved far. */
+    class StatesOfStiffness : public ElasticStates
+    {
+    public:
+      StatesOfStiffness(const Index n_unknowns, const RigidMotions &m)
+        : n(n_unknowns)
+        , motions(m)
+      {}
+
+      void
+      begin(const ElasticState    &state,
+            solvers::ContactState &start) const override
+      {
+        start.u = primal(state, start.r);
+      }
+      void
+      end(const solvers::ContactState &end, ElasticState &state) const override
+      {
+        if (end.u.size() == n)
+          state.start = shared(end.u);
+      }
+      VectorXd
+      primal(const ElasticState &state, const VectorXd &) const override
+      {
+        return state.start ? *state.start : VectorXd::Zero(n);
+      }
+      void
+      move(const VectorXd &,
+           const VectorXd        &seen,
+           solvers::ContactState &end) const override
+      {
+        AssertDimension(seen.size(), end.u.size());
+        end.u += seen;
+      }
+      /** The iterative Elasticity, which a checkpoint may come from, has
+       * contact unknowns behind all others; without them displacements q tell.
+       * One stiffness of all knows no motions apart from displacements: G a is
+       * added. */
+      void
+      restore(const std::vector<double> &start,
+              const VectorXd            &q,
+              ElasticState              &state) const override
+      {
+        VectorXd u = q;
+        if (start.size() >= at(q.size()))
+          std::copy(start.end() - q.size(), start.end(), u.data());
+        if (state.motions.size() > 0)
+          {
+            u += motions.seen() * state.motions;
+            state.motions.setZero();
+            state.base.setZero();
+          }
+        state.start = shared(std::move(u));
+      }
+
+    private:
+      const Index         n;
+      const RigidMotions &motions;
+    };
   } // namespace
 
   CondensedStiffness::CondensedStiffness(const ElasticSystem &e,
@@ -70,14 +133,12 @@ namespace conetact::contact
                                          const RigidMotions  &m,
                                          const bool           find_mechanisms,
                                          const condensed::Condenser &by)
-    : CondensedElasticity(by)
-    , elastic(e)
-    , motions(m)
+    : elastic(e)
     , own(elastic.bodies, coordinates, &points)
     , own_unknown(own_unknowns(points, own))
-    , bodies(bodies_with(elastic, own, own_unknown))
+    , bodies(bodies_with(elastic, own, by, own_unknown))
   {
-    bodies.condense(condenser);
+    bodies.condense();
     auto system    = std::make_shared<solvers::ContactSystem>(points.layout());
     system->matrix = take_stiffness();
     const Index n  = system->matrix.cols();
@@ -87,9 +148,10 @@ namespace conetact::contact
     // the last digit.
     system->null_space =
       find_mechanisms && n > 0 && n <= largest_rank_search ?
-        solvers::null_space_basis(system->matrix, motions.null_space()) :
-        motions.null_space();
+        solvers::null_space_basis(system->matrix, m.null_space()) :
+        m.null_space();
     contact_system = system;
+    own_states     = std::make_unique<StatesOfStiffness>(n, m);
     // A power of two rounds nothing.
     if (const double mean = diagonal_of(elastic, coordinates.n_dofs()).mean();
         mean > 0)
@@ -105,8 +167,8 @@ namespace conetact::contact
                                const condensed::Condenser &condenser)
   {
     const BodyCoordinates own(elastic.bodies, coordinates, &points);
-    return bodies_with(elastic, own, own_unknowns(points, own))
-      .estimate(condenser);
+    return bodies_with(elastic, own, condenser, own_unknowns(points, own))
+      .estimate();
   }
 
   /* Bodies that meet obstacles only do not see each other: each has rows of its
@@ -234,12 +296,12 @@ namespace conetact::contact
     return w;
   }
 
-  /* `unbalanced` is K w - f: what takes it away has the other sign. */
+  /* What is left is K w - f: what takes it away has the other sign. */
   LoadCase
-  CondensedStiffness::reduce_unbalanced(const VectorXd &unbalanced) const
+  CondensedStiffness::reduce_unbalanced(const Unbalanced &left) const
   {
     LoadCase change;
-    change.b = -own.restrict(unbalanced);
+    change.b = -own.restrict(left.forces);
     change.f = reduce_forces(change.b);
     return change;
   }
@@ -262,72 +324,5 @@ namespace conetact::contact
     AssertDimension(offset.size(), load.f.size());
     problem.load   = load.f;
     problem.offset = offset;
-  }
-
-  double
-  CondensedStiffness::largest_force(const LoadCase &load) const
-  {
-    return solvers::largest(load.f);
-  }
-
-  /* In stiffness form f has forces along contact unknowns already. */
-  VectorXd
-  CondensedStiffness::contact_load(const solvers::ContactProblem &problem) const
-  {
-    return problem.load;
-  }
-
-  /* The elastic displacements by themselves: v - o would round them where
-     bodies have moved far. */
-  void
-  CondensedStiffness::begin(const ElasticState    &state,
-                            solvers::ContactState &start) const
-  {
-    start.u = primal(state, start.r);
-  }
-
-  void
-  CondensedStiffness::end(const solvers::ContactState &end,
-                          ElasticState                &state) const
-  {
-    if (end.u.size() == contact_system->n_unknowns())
-      state.start = shared(end.u);
-  }
-
-  VectorXd
-  CondensedStiffness::primal(const ElasticState &state, const VectorXd &) const
-  {
-    return state.start ? *state.start :
-                         VectorXd::Zero(static_cast<Index>(own_unknown.size()));
-  }
-
-  void
-  CondensedStiffness::move(const VectorXd &,
-                           const VectorXd        &seen,
-                           solvers::ContactState &end) const
-  {
-    AssertDimension(seen.size(), end.u.size());
-    end.u += seen;
-  }
-
-  /* The iterative Elasticity, which a checkpoint may come from, has contact
-     unknowns behind all others; without them displacements q tell. One
-     stiffness of all knows no motions apart from displacements: G a is
-     added. */
-  void
-  CondensedStiffness::restore(const std::vector<double> &start,
-                              const VectorXd            &q,
-                              ElasticState              &state) const
-  {
-    VectorXd u = q;
-    if (start.size() >= at(q.size()))
-      std::copy(start.end() - q.size(), start.end(), u.data());
-    if (state.motions.size() > 0)
-      {
-        u += motions.seen() * state.motions;
-        state.motions.setZero();
-        state.base.setZero();
-      }
-    state.start = shared(std::move(u));
   }
 } // namespace conetact::contact

@@ -94,7 +94,7 @@ namespace conetact::contact
     Eigen::VectorXd moving = load.offset;
     double          moved  = largest(load.placement) + largest(load.prescribed);
     if (const Eigen::VectorXd motions =
-          model->elasticity().moved_by(elastic.base);
+          model->elasticity().states().moved_by(elastic.base);
         motions.size() > 0)
       {
         sum += motions;
@@ -197,7 +197,9 @@ namespace conetact::contact
         archive.fill("contact/a", elastic.motions);
         archive.fill("contact/base", elastic.base);
       }
-    model->elasticity().restore(archive.get("contact/elastic"), q, elastic);
+    model->elasticity().states().restore(archive.get("contact/elastic"),
+                                         q,
+                                         elastic);
   }
 
   /* Another Elasticity has other unknowns: its start is made from the
@@ -206,9 +208,8 @@ namespace conetact::contact
   ContactHistory::see_elasticity()
   {
     const Eigen::VectorXd &start = numbers(elastic.start);
-    model->elasticity().restore({start.data(), start.data() + start.size()},
-                                q,
-                                elastic);
+    model->elasticity().states().restore(
+      {start.data(), start.data() + start.size()}, q, elastic);
   }
 
   solvers::ContactProblem
@@ -221,10 +222,11 @@ namespace conetact::contact
     problem.gap    = gaps();
     // What is rounding beside the largest force so far is none: a load that has
     // almost gone must not be judged by itself.
+    const ForceScale scale = bodies.force_scale(load);
     problem.reference_force =
-      std::max(rounding_of_past * largest, bodies.reference_force(load));
+      std::max(rounding_of_past * largest, scale.reference);
     bodies.write(load, offset_at(load), elastic, problem);
-    largest = std::max(largest, bodies.largest_force(load));
+    largest = std::max(largest, scale.largest);
     return problem;
   }
 
@@ -241,7 +243,7 @@ namespace conetact::contact
       state.v[layout.normal(i)] = gap[i];
     state.r    = r;
     state.node = states;
-    model->elasticity().begin(elastic, state);
+    model->elasticity().states().begin(elastic, state);
     return state;
   }
 
@@ -257,7 +259,7 @@ namespace conetact::contact
       if (model->frames.has(
             model->motions.body_of_free()[static_cast<std::size_t>(j)]))
         motions[j] = elastic.base[j];
-    return model->elasticity().nearby(w, motions - elastic.base);
+    return model->elasticity().states().nearby(w, motions - elastic.base);
   }
 
   std::shared_ptr<const IncrementLaws>
@@ -305,7 +307,7 @@ namespace conetact::contact
       q[layout.normal(i)] =
         end.v[layout.normal(i)] - initial_gap[i] - laws_know.worn[i];
     r = end.r.head(n);
-    model->elasticity().end(end, elastic);
+    model->elasticity().states().end(end, elastic);
     states = end.node;
     time   = t;
     if (laws != nullptr)
@@ -338,7 +340,7 @@ namespace conetact::contact
     const Eigen::VectorXd seen = // BLAS does not take matrices of size 0
       model->motions.seen().lazyProduct(amounts);
     end.v.head(seen.size()) += seen;
-    model->elasticity().move(amounts, seen, end);
+    model->elasticity().states().move(amounts, seen, end);
     // What carried nothing may have left or slipped, and what stuck at its
     // limit may slip.
     const double zero = 1e-12 * conetact::solvers::largest(amounts);

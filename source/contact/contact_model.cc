@@ -69,7 +69,8 @@ namespace conetact::contact
   {
     if (points.n_bound() == 0)
       return nullptr;
-    const RedundantRows *const known = made ? made->redundant_rows() : nullptr;
+    const RedundantRows *const known =
+      made ? made->bound().redundant_rows() : nullptr;
     const Eigen::SparseMatrix<double> open =
       known != nullptr ?
         known->open :
@@ -189,9 +190,9 @@ namespace conetact::contact
     load.placement = placement;
     const Eigen::VectorXd offset = all_offsets(load, t);
     load.offset                  = offset.head(points.n_unknowns());
-    elasticity().move_bound(offset.tail(points.n_bound_unknowns()) +
-                              points.gaps_to_close(),
-                            load);
+    elasticity().bound().move(offset.tail(points.n_bound_unknowns()) +
+                                points.gaps_to_close(),
+                              load);
     return load;
   }
 
@@ -348,14 +349,14 @@ namespace conetact::contact
     motions.see_contacts(points);
     // The iterative Elasticity has the axes of contacts in its unknowns: where
     // these turn its start is taken over as a deformation.
-    if (!made || made->relink())
+    if (!made || made->relink(Elasticity::Changed::contacts))
       return {};
     Eigen::VectorXd w;
     if (why_not().empty() && state.start)
-      w = made->deformation(*state.start);
+      w = made->states().deformation(*state.start);
     made.reset(); // before there is another one
     if (w.size() > 0)
-      state.start = shared(elasticity().nearby(w, Eigen::VectorXd()));
+      state.start = shared(elasticity().states().nearby(w, Eigen::VectorXd()));
     return {};
   }
 
@@ -380,13 +381,13 @@ namespace conetact::contact
     if (!any)
       return false;
     motions.find_again(points);
-    if (!made || made->see_motions())
+    if (!made || made->relink(Elasticity::Changed::motions))
       return true;
     made.reset(); // before there is another one
     state.start.reset();
     if (u.size() > 0)
-      state.start =
-        shared(elasticity().nearby(deformation(u, t), Eigen::VectorXd()));
+      state.start = shared(
+        elasticity().states().nearby(deformation(u, t), Eigen::VectorXd()));
     return true;
   }
 
@@ -433,7 +434,7 @@ namespace conetact::contact
   {
     condensed::SchurWork sum = former_work;
     if (made)
-      sum += made->work();
+      sum += made->report().work;
     return sum;
   }
 } // namespace conetact::contact

@@ -37,11 +37,10 @@ namespace conetact::contact
     , arm(a)
     , opens(p != nullptr ? open_cuts(b) :
                            std::vector<bool>(b.structures.size(), false))
+    , specials(n_nodes())
   {
-    // Few nodes have a rule or a point.
-    special_of_node.resize(n_nodes(), -1);
     for (const NodeRule &rule : node_rules.rules())
-      special(number(rule.body, rule.node)).rule = &rule;
+      specials.make(number(rule.body, rule.node)).rule = &rule;
     if (points != nullptr)
       {
         if (std::any_of(points->all().begin(),
@@ -70,7 +69,7 @@ namespace conetact::contact
   Coordinates::take(const ContactPoint &point)
   {
     const ContactPoint *&own =
-      special(number(point.node->body, point.node->node)).point;
+      specials.make(number(point.node->body, point.node->node)).point;
     own = &point;
     if (bodies.frames.empty())
       return;
@@ -89,9 +88,9 @@ namespace conetact::contact
   {
     const std::size_t n    = number(point.node->body, point.node->node);
     const auto        held = [&](const Tensor<1, 3> &direction) {
-      if (what(n).rule == nullptr)
+      if (specials[n].rule == nullptr)
         return false;
-      const auto &all = what(n).rule->held;
+      const auto &all = specials[n].rule->held;
       return std::any_of(all.begin(), all.end(), [&](const HeldDirection &h) {
         return std::abs(h.direction * direction) > .5;
       });
@@ -113,7 +112,7 @@ namespace conetact::contact
           if (means)
             bind_middles(point, all_bound_directions.back());
         }
-    special(n).point = &bound;
+    specials.make(n).point = &bound;
   }
 
   /* Nodes in the middle move with their corners, along what is free there. */
@@ -126,7 +125,7 @@ namespace conetact::contact
     for (const auto &[middle, part] : means->middles(body, point.node->node))
       {
         Tensor<1, 3>    along = part * corner.direction;
-        const NodeRule *rule  = what(number(body, middle)).rule;
+        const NodeRule *rule  = specials[number(body, middle)].rule;
         if (rule != nullptr)
           for (const HeldDirection &held : rule->held)
             along -= (along * held.direction) * held.direction;
@@ -147,10 +146,10 @@ namespace conetact::contact
 
     for (const auto &[point, first] : axes.own())
       {
-        const unsigned int n     = number(point->node->body, point->node->node);
-        special(n).first_contact = n_free + first;
+        const unsigned int n = number(point->node->body, point->node->node);
+        specials.make(n).first_contact = n_free + first;
       }
-    set_n_unknowns(n_free + n_contact_unknowns());
+    set_n_unknowns(n_free + axes.n_unknowns());
   }
 
   void
@@ -158,7 +157,7 @@ namespace conetact::contact
   {
     const bodies::Structure &structure = *bodies.structures[body];
     const std::size_t        n         = number(body, node);
-    const NodeRule          *rule      = what(n).rule;
+    const NodeRule          *rule      = specials[n].rule;
     first_unknown.push_back(static_cast<int>(n_free));
     // Bodies that nothing reaches are not solved.
     const bool has_unknowns =
@@ -180,27 +179,37 @@ namespace conetact::contact
                               -1);
   }
 
-  std::vector<unsigned int>
-  Coordinates::node_of_unknowns() const
+  std::vector<Coordinates::Origin>
+  Coordinates::origins() const
   {
-    std::vector<unsigned int> nodes(static_cast<std::size_t>(n_unknowns()));
-    auto                      next = nodes.begin();
+    std::vector<Origin> all(static_cast<std::size_t>(n_unknowns()));
+    auto                next = all.begin();
     for (unsigned int n = 0; n < n_nodes(); ++n)
-      next = std::fill_n(next, first_unknown[n + 1] - first_unknown[n], n);
+      next =
+        std::fill_n(next, first_unknown[n + 1] - first_unknown[n], Origin{n});
     for (const auto &[point, first] : axes.own())
       next = std::fill_n(next,
                          point->dual.size(),
-                         number(point->node->body, point->node->node));
-    return nodes;
+                         Origin{number(point->node->body, point->node->node)});
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        for (unsigned int c = bodies.dim;
+             c < bodies.structures[body]->n_components();
+             ++c)
+          if (const Eigen::Index unknown =
+                own_unknown[static_cast<std::size_t>(dof(body, i)) + c];
+              unknown >= 0)
+            all[static_cast<std::size_t>(unknown)].is_rotation = true;
+    return all;
   }
 
   /* Null where a node has the scene's axes; hanging nodes have none. */
   const Coordinates::Directions *
   Coordinates::free_directions(const std::size_t n) const
   {
-    if (what(n).point != nullptr)
-      return &what(n).point->frictionless;
-    return what(n).rule != nullptr ? &what(n).rule->free : nullptr;
+    if (specials[n].point != nullptr)
+      return &specials[n].point->frictionless;
+    return specials[n].rule != nullptr ? &specials[n].rule->free : nullptr;
   }
 
   /* u = sum of q_k e_k over the free directions, and of v_k d_k over those with
@@ -219,13 +228,13 @@ namespace conetact::contact
                  times * directions[k][c]);
     };
     add(*free_directions(n), first_unknown[n], factor);
-    if (const ContactPoint *const point = what(n).point; point != nullptr)
+    if (const ContactPoint *const point = specials[n].point; point != nullptr)
       {
         const double part =
           factor / (means ? means->own_weight(*point->node) :
                             pairing::own_weight(*point->node));
-        if (what(n).first_contact >= 0) // else it is bound
-          add(point->directions, what(n).first_contact, part);
+        if (specials[n].first_contact >= 0) // else it is bound
+          add(point->directions, specials[n].first_contact, part);
         append_others(*point, c, part);
       }
   }
@@ -325,7 +334,7 @@ namespace conetact::contact
             append_row(body, 0, k, factor * way);
         return;
       }
-    const NodeRule *const rule      = what(number(body, node)).rule;
+    const NodeRule *const rule      = specials[number(body, node)].rule;
     const bool            is_middle = c < bodies.dim && corners(body, node);
     // Masters may be held themselves, or have a frame: their own rows know.
     if (rule != nullptr && c < bodies.dim && !is_middle &&
@@ -336,22 +345,6 @@ namespace conetact::contact
       append_free(body, node, c, factor);
     if (is_middle)
       append_corners(body, node, c, factor);
-  }
-
-  std::vector<bool>
-  Coordinates::are_rotations() const
-  {
-    std::vector<bool> result(static_cast<std::size_t>(n_unknowns()), false);
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-        for (unsigned int c = bodies.dim;
-             c < bodies.structures[body]->n_components();
-             ++c)
-          if (const Eigen::Index unknown =
-                own_unknown[static_cast<std::size_t>(dof(body, i)) + c];
-              unknown >= 0)
-            result[static_cast<std::size_t>(unknown)] = true;
-    return result;
   }
 
   Eigen::VectorXd
@@ -381,9 +374,9 @@ namespace conetact::contact
             q[k] = own_displacement(u, middle.first, middle.second)[c];
     if (arm != 1)
       {
-        const std::vector<bool> rotation = are_rotations();
+        const std::vector<Origin> all = origins();
         for (Eigen::Index k = 0; k < n_free; ++k)
-          if (rotation[static_cast<std::size_t>(k)])
+          if (all[static_cast<std::size_t>(k)].is_rotation)
             q[k] *= arm;
       }
     for (const auto &[point, first] : axes.own())
@@ -396,72 +389,6 @@ namespace conetact::contact
           q[n_free + first + static_cast<Eigen::Index>(k)] = v * point->dual[k];
       }
     return q;
-  }
-
-  Eigen::VectorXd
-  Coordinates::prescribed(const double t) const
-  {
-    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    const auto position = [&](const NodeRule &rule) {
-      return bodies.structures[rule.body]->position(rule.node);
-    };
-    return along_held(
-      [&](const NodeRule &rule, const HeldDirection &held) {
-        return node_rules.displacement(rule, held, t);
-      },
-      [&](const NodeRule &rule, const NodeRule::HeldRotation &held) {
-        return node_rules.angle(held, position(rule), t);
-      });
-  }
-
-  /* The same walk along held directions as prescribed(), with u in place of
-     what supports say: u - held_part(u) moves no support. */
-  Eigen::VectorXd
-  Coordinates::held_part(const Eigen::VectorXd &u) const
-  {
-    AssertDimension(u.size(), n_dofs());
-    return along_held(
-      [&](const NodeRule &rule, const HeldDirection &held) {
-        return at_node(u, rule.body, rule.node) * held.direction;
-      },
-      [&](const NodeRule &rule, const NodeRule::HeldRotation &held) {
-        return u[dof(rule.body, rule.node) + held.component];
-      });
-  }
-
-  Eigen::VectorXd
-  Coordinates::along_held(const DisplacementOf &displacement,
-                          const RotationOf     &rotation) const
-  {
-    Eigen::VectorXd d = Eigen::VectorXd::Zero(n_dofs());
-    for (const NodeRule &rule : node_rules.rules())
-      {
-        const Tensor<1, 3> u = along_held(rule.body, rule.node, displacement);
-        const Eigen::Index first = dof(rule.body, rule.node);
-        for (unsigned int c = 0; c < bodies.dim; ++c)
-          d[first + c] = u[c];
-        for (const NodeRule::HeldRotation &held : rule.rotations)
-          d[first + held.component] = rotation(rule, held);
-      }
-    return d;
-  }
-
-  Tensor<1, 3>
-  Coordinates::along_held(const unsigned int    body,
-                          const unsigned int    node,
-                          const DisplacementOf &displacement) const
-  {
-    Tensor<1, 3>    u;
-    const NodeRule *rule = what(number(body, node)).rule;
-    if (rule == nullptr)
-      return u;
-    // What hangs on a held node is moved with it.
-    for (const auto &[master, weight] : rule->masters)
-      u += weight * along_held(body, master, displacement);
-    for (const HeldDirection &held : rule->held)
-      // Orthonormal directions: setting one leaves the others as they are.
-      u += (displacement(*rule, held) - u * held.direction) * held.direction;
-    return u;
   }
 
   Tensor<1, 3>

@@ -123,9 +123,9 @@ namespace conetact::contact
           visit(among_all(dofs, dof_offset[body], shifted), matrix);
         };
         if (nodes == nullptr)
-          bodies.structures[body]->for_each_element(see);
+          bodies.structures[body]->elements().for_each(see);
         else
-          bodies.structures[body]->for_each_element_at((*nodes)[body], see);
+          bodies.structures[body]->elements().for_each_at((*nodes)[body], see);
       }
     for (const Spring &spring : springs)
       // Springs of foundations are elements of their body like others.
@@ -147,9 +147,10 @@ namespace conetact::contact
           visit(among_all(dofs, dof_offset[body], shifted));
         };
         if (nodes == nullptr)
-          bodies.structures[body]->for_each_connection(see);
+          bodies.structures[body]->elements().for_each_connection(see);
         else
-          bodies.structures[body]->for_each_connection_at((*nodes)[body], see);
+          bodies.structures[body]->elements().for_each_connection_at(
+            (*nodes)[body], see);
       }
     for (const Spring &spring : springs)
       if (has_some(spring, nodes))
@@ -181,7 +182,8 @@ namespace conetact::contact
     if (bodies.structures.size() == 1 && !bodies.is_at_rest(0))
       {
         Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size());
-        visited += bodies.structures[0]->add_internal_forces_at(nodes[0], u, f);
+        visited +=
+          bodies.structures[0]->elements().add_forces_at(nodes[0], u, f);
         return f;
       }
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), part;
@@ -193,7 +195,7 @@ namespace conetact::contact
         part.setZero(structure.n_dofs());
         // Each body multiplies by itself: a continuum takes out what a cell
         // moves as a whole, which an assembled K u would round.
-        visited += structure.add_internal_forces_at(
+        visited += structure.elements().add_forces_at(
           nodes[body], u.segment(dof_offset[body], part.size()), part);
         f.segment(dof_offset[body], part.size()) = part;
       }

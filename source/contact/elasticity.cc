@@ -95,6 +95,13 @@ namespace conetact::contact
                               reduce(forces + heat, prescribed);
   }
 
+  const BoundContacts &
+  Elasticity::bound() const
+  {
+    static const BoundContacts nothing;
+    return nothing;
+  }
+
   /* The least |x| with N^T x = resultants. */
   Eigen::VectorXd
   shortest_load(const Eigen::MatrixXd &null_space,

@@ -110,7 +110,7 @@ namespace conetact::contact
     for (std::size_t b = 0; b < elastic.bodies.structures.size(); ++b)
       if (const bodies::Structure &structure = *elastic.bodies.structures[b];
           is_frame(elastic.bodies, b))
-        structure.for_each_element(
+        structure.elements().for_each(
           [&](const std::vector<unsigned int> &dofs, const double *matrix) {
             for (std::size_t i = 0; i < dofs.size(); ++i)
               {
@@ -133,11 +133,10 @@ namespace conetact::contact
   std::vector<unsigned int>
   nodes_of_unknowns(const Coordinates &coordinates)
   {
-    std::vector<unsigned int> nodes    = coordinates.node_of_unknowns();
-    const std::vector<bool>   rotation = coordinates.are_rotations();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      nodes[k] = rotation[k] ? node_of_rotations(nodes[k]) :
-                               node_of_displacements(nodes[k]);
+    std::vector<unsigned int> nodes;
+    for (const Coordinates::Origin &origin : coordinates.origins())
+      nodes.push_back(origin.is_rotation ? node_of_rotations(origin.node) :
+                                           node_of_displacements(origin.node));
     return nodes;
   }
 

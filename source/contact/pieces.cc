@@ -23,16 +23,17 @@ namespace conetact::contact
     };
     auto               n   = static_cast<unsigned int>(parent.size());
     const unsigned int n_c = structure.n_components();
-    structure.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      // All nodes of an element are in one piece.
-      const unsigned int first = root(dofs.front() / n_c);
-      for (const unsigned int dof : dofs)
-        if (const unsigned int other = root(dof / n_c); other != first)
-          {
-            parent[other] = first;
-            --n;
-          }
-    });
+    structure.elements().for_each_connection(
+      [&](const std::vector<unsigned int> &dofs) {
+        // All nodes of an element are in one piece.
+        const unsigned int first = root(dofs.front() / n_c);
+        for (const unsigned int dof : dofs)
+          if (const unsigned int other = root(dof / n_c); other != first)
+            {
+              parent[other] = first;
+              --n;
+            }
+      });
     return n;
   }
 } // namespace conetact::contact

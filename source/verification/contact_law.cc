@@ -159,16 +159,16 @@ namespace conetact::verification
                  const double                 gap,
                  VectorXd                     slip)
     {
-      const contact::IncrementLaws &laws = *claim.laws;
-      const pairing::ContactNode   &node = *point.node;
-      const double                  area = node.covered_area();
-      pairing::Situation            here = laws.known(i);
+      const contact::CandidateLaw   &law   = (*claim.laws)[i];
+      const contact::CandidateStart &start = law.start();
+      const pairing::ContactNode    &node  = *point.node;
+      const double                   area  = node.covered_area();
+      pairing::Situation             here  = start.situation;
       if (area > 0)
         here.pressure = std::max(r_n, 0.) / area;
       if (node.layer && area > 0)
-        slip +=
-          node.layer->shear(here) / area * (r_t - laws.friction_at_start(i));
-      here.speed = slip.norm() / laws.duration();
+        slip += node.layer->shear(here) / area * (r_t - start.friction);
+      here.speed = slip.norm() / start.duration;
       Seen seen{0, 0, gap + claim.worn[static_cast<Index>(i)], slip};
       if (node.layer)
         // A bond that is pulled stretches its layer by the compliance that it
@@ -182,7 +182,7 @@ namespace conetact::verification
         seen.gap +=
           here.pressure * node.layer->wear_by_pressure(here) * slip.norm();
       double bond = 0, pressing = r_n;
-      if (!laws.sees(i))
+      if (!law.sees())
         seen.gap = std::numeric_limits<double>::infinity();
       else if (node.bond)
         {
@@ -193,7 +193,7 @@ namespace conetact::verification
                                            here.opened,
                                            node.least_opening());
         }
-      if (laws.is_wet(i)) // the fluid's part of the reaction has no friction
+      if (law.is_wet()) // the fluid's part of the reaction has no friction
         {
           const double force = node.fluid->pressure(here.t) * area;
           pressing -= force;
@@ -383,7 +383,7 @@ namespace conetact::verification
                            node.gap + out.displacements[n],
                            (claim.incremental ? out.change : out.displacements)
                              .segment(point.first, nt)};
-    if (claim.laws && claim.laws->sees(i) && node.is_joined())
+    if (claim.laws && (*claim.laws)[i].sees() && node.is_joined())
       {
         if (claim.states[i] != solvers::NodeState::stick)
           errors.take(std::numeric_limits<double>::infinity(),

@@ -95,7 +95,7 @@ namespace conetact::test
   stiffness(const Structure &body)
   {
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(body.n_dofs(), body.n_dofs());
-    body.for_each_element(
+    body.elements().for_each(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
         for (std::size_t i = 0; i < dofs.size(); ++i)
           for (std::size_t j = 0; j < dofs.size(); ++j)

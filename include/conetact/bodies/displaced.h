@@ -4,16 +4,16 @@
 #ifndef conetact_bodies_displaced_h
 #define conetact_bodies_displaced_h
 
-#include "conetact/bodies/structure.h"
+#include "conetact/bodies/without_elements.h"
 
 namespace conetact::bodies
 {
   /**
-   * A body whose nodes stand elsewhere, X + u: positions and the normals of
-   * surfaces are those of the displaced nodes. All else is that of the body,
-   * also areas: strains are small, and elasticity knows no displacement.
+   * The nodes and faces of a body where they are displaced to, X + u: positions
+   * and the normals of surfaces. Areas are those of the body: strains are
+   * small.
    */
-  class Displaced : public Structure
+  class Displaced : public WithoutElements
   {
   public:
     /** Of each node [length]. The body must outlive the object. */
@@ -64,55 +64,6 @@ namespace conetact::bodies
     boundary_ids() const override
     {
       return body.boundary_ids();
-    }
-    void
-    for_each_element(const ElementVisitor &visit) const override
-    {
-      body.for_each_element(visit);
-    }
-    void
-    for_each_connection(const ConnectionVisitor &visit) const override
-    {
-      body.for_each_connection(visit);
-    }
-    void
-    add_internal_forces(const Eigen::VectorXd &displacement,
-                        Eigen::VectorXd       &f) const override
-    {
-      body.add_internal_forces(displacement, f);
-    }
-    void
-    add_traction(const BoundaryIds  &ids,
-                 const SurfaceField &traction,
-                 Eigen::VectorXd    &f) const override
-    {
-      body.add_traction(ids, traction, f);
-    }
-    void
-    add_body_force(const VectorField &force, Eigen::VectorXd &f) const override
-    {
-      body.add_body_force(force, f);
-    }
-    bool
-    add_point_force(const Point<3>     &point,
-                    const Tensor<1, 3> &force,
-                    Eigen::VectorXd    &f) const override
-    {
-      return body.add_point_force(point, force, f);
-    }
-    void
-    visit_springs(const BoundaryIds        &ids,
-                  const SurfaceTensorField &stiffness,
-                  const ElementVisitor     &visit) const override
-    {
-      body.visit_springs(ids, stiffness, visit);
-    }
-    VtuGrid
-    drawing(const Eigen::VectorXd &displacement,
-            const Eigen::VectorXd &deformation,
-            const Actions         &actions) const override
-    {
-      return body.drawing(displacement, deformation, actions);
     }
     std::string
     description() const override

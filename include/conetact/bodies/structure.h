@@ -6,13 +6,13 @@
 
 #include "conetact/base/points.h"
 #include "conetact/base/vtu_grid.h"
+#include "conetact/bodies/elements.h"
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -126,42 +126,70 @@ namespace conetact::bodies
   using InitialStrainField = std::function<InitialStrain(const Point<3> &)>;
 
   /**
-   * What acts inside a body at one time, as far as its stresses depend on more
-   * than its displacements: nodal forces alone do not tell.
+   * What acts on a body at one time. Its stresses depend on more than its
+   * displacements: on what acts between nodes, of which nodal forces do not
+   * tell.
    */
   struct Action
   {
     enum class Kind
     {
-      traction,      ///< [force/area] on boundary ids
-      body_force,    ///< [force/volume]
-      line_load,     ///< [force/length] on the members of boundary ids
-      point_force,   ///< [force] at a point
-      initial_strain ///< also a change of temperature
+      traction,
+      body_force,
+      line_load,
+      point_force,
+      initial_strain
     };
     Kind               kind;
     BoundaryIds        ids;    ///< traction, line load
     Point<3>           point;  ///< point force
     SurfaceField       force;  ///< all but initial strains
     InitialStrainField strain; ///< initial strain
+
+    /** [force/area] */
+    static Action
+    traction(const BoundaryIds &ids, SurfaceField force)
+    {
+      return {Kind::traction, ids, {}, std::move(force), {}};
+    }
+    /** [force/volume] */
+    static Action
+    body_force(const VectorField &force)
+    {
+      return {Kind::body_force,
+              {},
+              {},
+              [force](const Point<3> &p, const Tensor<1, 3> &) {
+                return force(p);
+              },
+              {}};
+    }
+    /** [force/length] on the members of a frame with the ids */
+    static Action
+    line_load(const BoundaryIds &ids, SurfaceField force)
+    {
+      return {Kind::line_load, ids, {}, std::move(force), {}};
+    }
+    /** [force], distributed by the shape functions of the cell that holds the
+     * point */
+    static Action
+    point_force(const Point<3> &point, const Tensor<1, 3> &force)
+    {
+      return {Kind::point_force,
+              {},
+              point,
+              [force](const Point<3> &, const Tensor<1, 3> &) { return force; },
+              {}};
+    }
+    /** Also a change of temperature: @f$\int B^T C \varepsilon_0\,dx@f$, which
+     * balances by itself */
+    static Action
+    initial_strains(InitialStrainField strain)
+    {
+      return {Kind::initial_strain, {}, {}, {}, std::move(strain)};
+    }
   };
   using Actions = std::vector<Action>;
-
-  /**
-   * Called for each element with the `n` numbers of its dofs and its symmetric
-   * n x n stiffness [force/length]. The same pointer `matrix` may come again
-   * for congruent elements.
-   */
-  using ElementVisitor =
-    std::function<void(const std::vector<unsigned int> &dofs,
-                       const double                    *matrix)>;
-
-  /** Called for each element with the numbers of its dofs. */
-  using ConnectionVisitor =
-    std::function<void(const std::vector<unsigned int> &dofs)>;
-
-  /** Whether each node of a body is one of some that are meant. */
-  using SomeNodes = std::vector<bool>;
 
   /**
    * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
@@ -224,61 +252,8 @@ namespace conetact::bodies
       return {};
     }
 
-    /** All elements, in an order that is the same each time. */
-    virtual void
-    for_each_element(const ElementVisitor &visit) const = 0;
-    /** The same where matrices are not needed: none need be computed. */
-    virtual void
-    for_each_connection(const ConnectionVisitor &visit) const
-    {
-      for_each_element([&](const std::vector<unsigned int> &dofs,
-                           const double *) { visit(dofs); });
-    }
-    /**
-     * f += K u [force], such that a motion without strain costs no digits of
-     * the forces.
-     */
-    virtual void
-    add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const = 0;
-
-    /** @name Elements that have a node of some
-     * As above, in the same order: what many processes share. By default all
-     * elements are looked at.
-     * @{ */
-    virtual void
-    for_each_element_at(const SomeNodes      &nodes,
-                        const ElementVisitor &visit) const;
-    virtual void
-    for_each_connection_at(const SomeNodes         &nodes,
-                           const ConnectionVisitor &visit) const;
-    /** f += K u at these nodes, and anything at others. Returns how many
-     * elements were multiplied. */
-    virtual std::size_t
-    add_internal_forces_at(const SomeNodes       &nodes,
-                           const Eigen::VectorXd &u,
-                           Eigen::VectorXd       &f) const;
-    /** @} */
-
-    /**
-     * How far a node of an element moves relative to the first one of it, at
-     * most [length]; infinity: not known.
-     */
-    virtual double
-    largest_stretch(const Eigen::VectorXd & /*u*/) const
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-
-    /** For the log: congruent elements share a matrix. */
-    struct MatrixCount
-    {
-      unsigned int elements = 0, matrices = 0;
-    };
-    virtual MatrixCount
-    matrix_count() const
-    {
-      return {};
-    }
+    virtual const Elements &
+    elements() const = 0;
 
     /**
      * Estimated errors of the displacements u (all dofs), one for each element
@@ -305,44 +280,11 @@ namespace conetact::bodies
     virtual Surface
     surface(const BoundaryIds &ids) const = 0;
 
-    /** Adds the nodal forces of a traction [force/area] to f. */
-    virtual void
-    add_traction(const BoundaryIds  &ids,
-                 const SurfaceField &traction,
-                 Eigen::VectorXd    &f) const = 0;
-    /** Adds the nodal forces of a body force [force/volume] to f. */
-    virtual void
-    add_body_force(const VectorField &force, Eigen::VectorXd &f) const = 0;
-    /**
-     * Adds a force [force] at a point, distributed by the shape functions of
-     * the cell that holds it. False if no cell does.
+    /** Adds nodal forces. False if the action finds nothing to act on: the
+     * point is in no cell, no member has the boundary ids, or nothing strains.
      */
     virtual bool
-    add_point_force(const Point<3>     &point,
-                    const Tensor<1, 3> &force,
-                    Eigen::VectorXd    &f) const = 0;
-    /**
-     * Adds the nodal forces of a load per length [force/length] on the members
-     * of a frame. False if the boundary ids have no members.
-     */
-    virtual bool
-    add_line_load(const BoundaryIds & /*ids*/,
-                  const SurfaceField & /*load*/,
-                  Eigen::VectorXd & /*f*/) const
-    {
-      return false;
-    }
-    /**
-     * Adds the nodal forces of initial strains,
-     * @f$\int B^T C \varepsilon_0\,dx@f$, which balance by themselves. False
-     * if it has nothing that strains.
-     */
-    virtual bool
-    add_initial_strain(const InitialStrainField & /*strain*/,
-                       Eigen::VectorXd & /*f*/) const
-    {
-      return false;
-    }
+    add(const Action &action, Eigen::VectorXd &f) const = 0;
     /** Whether a change of temperature strains anything. */
     virtual bool
     expands() const
@@ -368,15 +310,6 @@ namespace conetact::bodies
     drawing(const Eigen::VectorXd &u,
             const Eigen::VectorXd &w,
             const Actions         &actions) const = 0;
-
-    /**
-     * Writes that of w = u with nothing at work inside the body to a VTU file.
-     * Throws WriteError.
-     */
-    void
-    write_graphics(const Eigen::VectorXd       &u,
-                   const double                 time,
-                   const std::filesystem::path &file) const;
 
     /**
      * Of its elasticity: how many times the strain that it resists most is
@@ -431,6 +364,14 @@ namespace conetact::bodies
       return none;
     }
   };
+
+  /** Writes its drawing with w = u and nothing at work inside it to a VTU file.
+   * Throws WriteError. */
+  void
+  write_graphics(const Structure             &body,
+                 const Eigen::VectorXd       &u,
+                 const double                 time,
+                 const std::filesystem::path &file);
 
   /** Largest distance of a node from the origin [length]. */
   double

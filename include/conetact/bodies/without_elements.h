@@ -10,6 +10,18 @@
 
 namespace conetact::bodies
 {
+  class NoElements : public Elements
+  {
+  public:
+    using Elements::Elements;
+    void
+    for_each(const ElementVisitor &) const override
+    {}
+    void
+    add_forces(const Eigen::VectorXd &, Eigen::VectorXd &) const override
+    {}
+  };
+
   /** Nodes only: a body without elements, boundary, loads and drawing. */
   class WithoutElements : public Structure
   {
@@ -20,13 +32,12 @@ namespace conetact::bodies
       static const std::vector<HangingNode> none;
       return none;
     }
-    void
-    for_each_element(const ElementVisitor &) const override
-    {}
-    void
-    add_internal_forces(const Eigen::VectorXd &,
-                        Eigen::VectorXd &) const override
-    {}
+    const Elements &
+    elements() const override
+    {
+      static const NoElements none(1);
+      return none;
+    }
     BoundaryIds
     boundary_ids() const override
     {
@@ -37,18 +48,8 @@ namespace conetact::bodies
     {
       return {};
     }
-    void
-    add_traction(const BoundaryIds &,
-                 const SurfaceField &,
-                 Eigen::VectorXd &) const override
-    {}
-    void
-    add_body_force(const VectorField &, Eigen::VectorXd &) const override
-    {}
     bool
-    add_point_force(const Point<3> &,
-                    const Tensor<1, 3> &,
-                    Eigen::VectorXd &) const override
+    add(const Action &, Eigen::VectorXd &) const override
     {
       return false;
     }

@@ -41,22 +41,22 @@ namespace conetact::contact
      * all that one of them needs. References must outlive the object. */
     CondensedBodies(const ElasticSystem                          &elastic,
                     const BodyCoordinates                        &own,
+                    const condensed::Condenser                   &condenser,
                     const std::vector<std::vector<unsigned int>> &groups,
                     const Retain                                 &retain);
 
     /** Factorises all parts: their stiffness, to be taken from them. Throws
      * SingularMatrix. */
     void
-    condense(const condensed::Condenser &condenser);
+    condense();
     /** The same with their flexibility but for motions, columns of a body. */
     void
     condense(
-      const condensed::Condenser &condenser,
       const std::function<const Eigen::MatrixXd &(unsigned int body)> &motions);
 
     /** What that would take. */
     condensed::FactorEstimate
-    estimate(const condensed::Condenser &condenser) const;
+    estimate() const;
 
     const std::vector<Part> &
     parts() const
@@ -77,14 +77,9 @@ namespace conetact::contact
     map(const Eigen::MatrixXd &columns, const Answer &answer) const;
 
     std::vector<StiffnessDifference>
-    compare(const condensed::Condenser &one,
-            const condensed::Condenser &other) const;
-    double
-    factor_bytes() const;
-    unsigned int
-    n_shared() const;
-    condensed::SchurWork
-    work() const;
+    compare(const condensed::Condenser &other) const;
+    ElasticReport
+    report() const;
 
   private:
     struct Uncondensed
@@ -97,9 +92,10 @@ namespace conetact::contact
     for_each_matrix(const std::function<void(std::size_t part,
                                              const Uncondensed &)> &act) const;
 
-    const ElasticSystem   &elastic;
-    const BodyCoordinates &own;
-    std::vector<Part>      all_parts;
+    const ElasticSystem        &elastic;
+    const BodyCoordinates      &own;
+    const condensed::Condenser &condenser;
+    std::vector<Part>           all_parts;
   };
 } // namespace conetact::contact
 

@@ -4,13 +4,9 @@
 #ifndef conetact_contact_condensed_compliance_h
 #define conetact_contact_condensed_compliance_h
 
-#include "conetact/contact/bound_unknowns.h"
-#include "conetact/contact/condensed_elasticity.h"
-#include "conetact/contact/coordinates.h"
+#include "conetact/contact/body_rows.h"
+#include "conetact/contact/condensed_bound.h"
 #include "conetact/contact/free_motions.h"
-#include "conetact/contact/rigid_motions.h"
-
-#include <Eigen/SparseCore>
 
 #include <vector>
 
@@ -27,11 +23,11 @@ namespace conetact::contact
    * @f[ Y = -P K_s R,\quad G = H (R + Y),\quad
    *     C = R^T K_s R + R^T K_s Y . @f]
    * Ties and bilateral contacts are rows as well, behind those of contacts, and
-   * eliminated before anyone asks for the system (BoundUnknowns).
+   * eliminated before anyone asks for the system (CondensedBound).
    * The form of FETI methods with friction (Dostal, Kozubek, Horyl, Brzobohaty,
    * Markopoulos, Comput. Struct. 2012).
    */
-  class CondensedCompliance : public CondensedElasticity
+  class CondensedCompliance : public Elasticity
   {
   public:
     /**
@@ -57,58 +53,32 @@ namespace conetact::contact
           const Eigen::VectorXd   &offset,
           const ElasticState      &state,
           solvers::ContactProblem &problem) const override;
-    double
-    largest_force(const LoadCase &load) const override;
-    double
-    reference_force(const LoadCase &load) const override;
+    ForceScale
+    force_scale(const LoadCase &load) const override;
     Eigen::VectorXd
     contact_load(const solvers::ContactProblem &problem) const override;
-    void
-    begin(const ElasticState    &state,
-          solvers::ContactState &start) const override;
-    void
-    end(const solvers::ContactState &end, ElasticState &state) const override;
-    Eigen::VectorXd
-    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
-    void
-    move(const Eigen::VectorXd &amounts,
-         const Eigen::VectorXd &seen,
-         solvers::ContactState &end) const override;
-    void
-    restore(const std::vector<double> &start,
-            const Eigen::VectorXd     &q,
-            ElasticState              &state) const override;
+    const BoundContacts &
+    bound() const override
+    {
+      return eliminated;
+    }
     LoadCase
-    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
+    reduce_unbalanced(const Unbalanced &left) const override;
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
-    void
-    add_missed(const Eigen::VectorXd &by_contacts,
-               const Eigen::VectorXd &by_bound,
-               LoadCase              &change) const override;
-    solvers::ContactState
-    restart(const solvers::ContactState &start,
-            const solvers::ContactState &end) const override;
-    void
-    move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
-    BoundState
-    bound_state(const LoadCase        &load,
-                const Eigen::VectorXd &primal) const override;
-    Eigen::VectorXd
-    bound_stiffness() const override
-    {
-      return stiffness_of_bound;
-    }
-    const RedundantRows *
-    redundant_rows() const override
-    {
-      return &bound.redundant_rows();
-    }
     bool
-    relink() override;
-    bool
-    see_motions() override;
+    relink(const Changed what) override;
+    ElasticReport
+    report() const override
+    {
+      return bodies.report();
+    }
+    std::vector<StiffnessDifference>
+    compare(const condensed::Condenser &other) const override
+    {
+      return bodies.compare(other);
+    }
 
     /** What the factorisations would take; nothing is factorised. */
     static condensed::FactorEstimate
@@ -125,46 +95,18 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
-    const CondensedBodies &
-    condensed_bodies() const override
-    {
-      return bodies;
-    }
 
   private:
     using Index    = Eigen::Index;
     using VectorXd = Eigen::VectorXd;
     using MatrixXd = Eigen::MatrixXd;
 
-    /** H of all contact points. */
-    Eigen::SparseMatrix<double>
-    rows() const;
-    void
-    write_row(const ContactPoint                  &point,
-              Index                               &row,
-              std::vector<Eigen::Triplet<double>> &entries) const;
     MatrixXd
     assemble_all() const;
     void
     assemble_system();
-    /** Splits a load of all rows and motions into those that the system and
-     * what is bound see. */
-    void
-    set_load(const VectorXd &all, LoadCase &load) const;
     VectorXd
     reduce_all(const VectorXd &b, const VectorXd &forces) const;
-    VectorXd
-    moved_rows(const VectorXd &u) const;
-    /** Reactions of all rows and all own motions. */
-    VectorXd
-    all_of(const LoadCase &load, const VectorXd &primal) const;
-    Index
-    n_contact() const
-    {
-      return points.layout().n_unknowns();
-    }
-    MatrixXd
-    flexibility() const;
     /** Deformations of all own unknowns under forces on them (columns). */
     MatrixXd
     deform(const MatrixXd &forces) const;
@@ -195,17 +137,16 @@ namespace conetact::contact
                         const condensed::Condenser &condenser,
                         const Empty);
 
-    const ElasticSystem        &elastic;
-    const ContactPoints        &points;
-    const Coordinates          &coordinates;
-    const RigidMotions         &motions;
-    BodyCoordinates             own;
-    Eigen::SparseMatrix<double> H; ///< of own unknowns
-    CondensedBodies             bodies;
-    FreeMotions                 free;
-    BoundUnknowns               bound;
-    VectorXd                    stiffness_of_bound;
-    MatrixXd                    unseen; ///< motions, orthonormal
+    const ElasticSystem &elastic;
+    const ContactPoints &points;
+    const Coordinates   &coordinates;
+    const RigidMotions  &motions;
+    BodyCoordinates      own;
+    BodyRows             rows;
+    CondensedBodies      bodies;
+    FreeMotions          free;
+    CondensedBound       eliminated;
+    MatrixXd             unseen; ///< motions, orthonormal
   };
 } // namespace conetact::contact
 

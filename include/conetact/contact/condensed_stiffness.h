@@ -4,7 +4,7 @@
 #ifndef conetact_contact_condensed_stiffness_h
 #define conetact_contact_condensed_stiffness_h
 
-#include "conetact/contact/condensed_elasticity.h"
+#include "conetact/contact/condensed_bodies.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -16,7 +16,7 @@ namespace conetact::contact
    * unknowns, [K] section 4, @f$ K q_C = r + f @f$, without any inverse. It
    * serves all loads of all increments. Also bodies that nothing may touch.
    */
-  class CondensedStiffness : public CondensedElasticity
+  class CondensedStiffness : public Elasticity
   {
   public:
     /**
@@ -47,30 +47,32 @@ namespace conetact::contact
           const Eigen::VectorXd   &offset,
           const ElasticState      &state,
           solvers::ContactProblem &problem) const override;
-    double
-    largest_force(const LoadCase &load) const override;
+    ForceScale
+    force_scale(const LoadCase &load) const override
+    {
+      return {solvers::largest(load.f)};
+    }
+    /** In stiffness form f has forces along contact unknowns already. */
     Eigen::VectorXd
-    contact_load(const solvers::ContactProblem &problem) const override;
-    void
-    begin(const ElasticState    &state,
-          solvers::ContactState &start) const override;
-    void
-    end(const solvers::ContactState &end, ElasticState &state) const override;
-    Eigen::VectorXd
-    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
-    void
-    move(const Eigen::VectorXd &amounts,
-         const Eigen::VectorXd &seen,
-         solvers::ContactState &end) const override;
-    void
-    restore(const std::vector<double> &start,
-            const Eigen::VectorXd     &q,
-            ElasticState              &state) const override;
+    contact_load(const solvers::ContactProblem &problem) const override
+    {
+      return problem.load;
+    }
     LoadCase
-    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
+    reduce_unbalanced(const Unbalanced &left) const override;
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
+    ElasticReport
+    report() const override
+    {
+      return bodies.report();
+    }
+    std::vector<StiffnessDifference>
+    compare(const condensed::Condenser &other) const override
+    {
+      return bodies.compare(other);
+    }
 
   protected:
     void
@@ -79,11 +81,6 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
-    const CondensedBodies &
-    condensed_bodies() const override
-    {
-      return bodies;
-    }
 
   private:
     /** Whether nothing may touch: load cases are solved, not reduced. */
@@ -102,7 +99,6 @@ namespace conetact::contact
     carry(const Eigen::MatrixXd &b, const Eigen::MatrixXd &contact) const;
 
     const ElasticSystem  &elastic;
-    const RigidMotions   &motions;
     const BodyCoordinates own;
     /** The number of each contact unknown among own unknowns. */
     const std::vector<CondensedBodies::Index> own_unknown;

@@ -51,12 +51,14 @@ namespace conetact::contact
     {
       elastic.base = motions;
     }
-    /** See Elasticity. */
+    /** See ElasticStates. */
     bool
     linearise_about(const solvers::ContactProblem &problem,
                     const solvers::ContactState   &state)
     {
-      return model->elasticity().linearise_about(problem, state, elastic);
+      return model->elasticity().states().linearise_about(problem,
+                                                          state,
+                                                          elastic);
     }
     const Eigen::VectorXd &
     linearised_at() const
@@ -130,7 +132,7 @@ namespace conetact::contact
     Eigen::VectorXd
     elastic_start() const
     {
-      return model->elasticity().whole_start(elastic);
+      return model->elasticity().states().whole_start(elastic);
     }
     void
     save(const Eigen::VectorXd &elastic_start, Archive &archive) const;
@@ -141,7 +143,7 @@ namespace conetact::contact
     Eigen::VectorXd
     primal() const
     {
-      return model->elasticity().primal(elastic, r);
+      return model->elasticity().states().primal(elastic, r);
     }
     Eigen::VectorXd
     gaps() const;

@@ -14,7 +14,6 @@
 #include <Eigen/Core>
 
 #include <deque>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -51,21 +50,21 @@ namespace conetact::contact
     {
       return axes;
     }
-    Eigen::Index
-    n_contact_unknowns() const
-    {
-      return axes.n_unknowns();
-    }
     /** How the displacement of a node comes about; null: by its own unknowns.
      */
     const NodeRule *
     rule(const unsigned int body, const unsigned int node) const
     {
-      return what(number(body, node)).rule;
+      return specials[number(body, node)].rule;
     }
-    /** The number of the node of each unknown. */
-    std::vector<unsigned int>
-    node_of_unknowns() const;
+    /** Where an unknown comes from. */
+    struct Origin
+    {
+      unsigned int node        = 0; ///< its number
+      bool         is_rotation = false;
+    };
+    std::vector<Origin>
+    origins() const;
 
     /** A displacement of a bound node relative to what it faces. */
     struct BoundDirection
@@ -79,10 +78,6 @@ namespace conetact::contact
     {
       return all_bound_directions;
     }
-
-    /** Whether an unknown is a rotation, of all unknowns. */
-    std::vector<bool>
-    are_rotations() const;
 
     /** The unknowns of displacements u that no support hinders. */
     Eigen::VectorXd
@@ -115,24 +110,35 @@ namespace conetact::contact
       const ContactPoint *point         = nullptr;
       Eigen::Index        first_contact = -1; ///< of its contact unknowns
     };
-    const SpecialNode &
-    what(const std::size_t node) const
+    class SpecialNodes
     {
-      static const SpecialNode nothing;
-      const int                k = special_of_node[node];
-      return k < 0 ? nothing : specials[static_cast<std::size_t>(k)];
-    }
-    SpecialNode &
-    special(const std::size_t node)
-    {
-      int &k = special_of_node[node];
-      if (k < 0)
-        {
-          k = static_cast<int>(specials.size());
-          specials.emplace_back();
-        }
-      return specials[static_cast<std::size_t>(k)];
-    }
+    public:
+      explicit SpecialNodes(const std::size_t n_nodes)
+        : places(n_nodes, -1)
+      {}
+      const SpecialNode &
+      operator[](const std::size_t node) const
+      {
+        static const SpecialNode nothing;
+        const int                k = places[node];
+        return k < 0 ? nothing : some[static_cast<std::size_t>(k)];
+      }
+      SpecialNode &
+      make(const std::size_t node)
+      {
+        int &k = places[node];
+        if (k < 0)
+          {
+            k = static_cast<int>(some.size());
+            some.emplace_back();
+          }
+        return some[static_cast<std::size_t>(k)];
+      }
+
+    private:
+      std::vector<int>         places; ///< of all nodes, or -1: most
+      std::vector<SpecialNode> some;
+    };
     /** What a node in the middle of corners has of its own; else null. */
     const HierarchicalMeans::Weights *
     corners(const unsigned int body, const unsigned int node) const
@@ -187,25 +193,13 @@ namespace conetact::contact
                    const unsigned int node,
                    const unsigned int c,
                    const double       factor);
-    /** What is along held directions, by their displacements and rotations. */
-    using DisplacementOf =
-      std::function<double(const NodeRule &, const HeldDirection &)>;
-    using RotationOf =
-      std::function<double(const NodeRule &, const NodeRule::HeldRotation &)>;
-    Eigen::VectorXd
-    along_held(const DisplacementOf &displacement,
-               const RotationOf     &rotation) const;
-    Tensor<1, 3>
-                             along_held(const unsigned int    body,
-                                        const unsigned int    node,
-                                        const DisplacementOf &displacement) const;
-    const NodeRules         &node_rules;
-    const ContactPoints     *points;
-    const ContactAxes        axes;
-    const double             arm;             ///< of rotations [length]
-    std::vector<bool>        opens;           ///< bodies of open cuts
-    std::vector<int>         special_of_node; ///< of all bodies, or -1: most
-    std::vector<SpecialNode> specials;
+
+    const NodeRules     &node_rules;
+    const ContactPoints *points;
+    const ContactAxes    axes;
+    const double         arm;   ///< of rotations [length]
+    std::vector<bool>    opens; ///< bodies of open cuts
+    SpecialNodes         specials;
     /** With directions in the frames of bodies, dual ones in space; those that
      * are bound but for what is held. */
     std::deque<ContactPoint>         own_points;

@@ -4,11 +4,12 @@
 #ifndef conetact_contact_increment_laws_h
 #define conetact_contact_increment_laws_h
 
-#include "conetact/contact/contact_points.h"
-#include "conetact/solvers/nodal_laws.h"
+#include "conetact/contact/candidate_law.h"
 #include "conetact/solvers/reach.h"
 
-#include <array>
+#include <deal.II/base/exceptions.h>
+
+#include <memory>
 #include <vector>
 
 namespace conetact::contact
@@ -33,23 +34,39 @@ namespace conetact::contact
     std::shared_ptr<const IncrementLaws>
     with_wear(const double part) const;
 
+    const CandidateLaw &
+    operator[](const std::size_t i) const
+    {
+      AssertIndexRange(i, all.size());
+      return all[i];
+    }
+
     solvers::FrictionLimit
     limit(const Index  i,
           const double s,
           const double slip,
-          const double gap) const override;
+          const double gap) const override
+    {
+      return at(i).limit(s, slip, gap);
+    }
     solvers::Aspect
     aspect(const Index  i,
            const double s,
            const double slip,
-           const double gap) const override;
+           const double gap) const override
+    {
+      return at(i).aspect(s, slip, gap);
+    }
     bool
     has_ellipses() const override
     {
       return elliptic;
     }
     solvers::Layer
-    layer(const Index i, const double r_n, const double slip) const override;
+    layer(const Index i, const double r_n, const double slip) const override
+    {
+      return at(i).layer(r_n, slip);
+    }
     bool
     has_cones() const override;
     bool
@@ -58,12 +75,14 @@ namespace conetact::contact
       return soft;
     }
     solvers::Bond
-    bond(const Index i, const double slip, const double gap) const override;
+    bond(const Index i, const double slip, const double gap) const override
+    {
+      return at(i).pull(slip, gap);
+    }
     bool
     is_bonded(const Index i) const override
     {
-      return bonds[static_cast<std::size_t>(i)] ||
-             is_wet(static_cast<std::size_t>(i));
+      return at(i).bond().holds() || at(i).is_wet();
     }
     bool
     has_bonds() const override
@@ -73,12 +92,12 @@ namespace conetact::contact
     bool
     is_apart(const Index i) const override
     {
-      return !active[static_cast<std::size_t>(i)];
+      return !at(i).sees();
     }
     bool
     is_joined(const Index i) const override
     {
-      return joined[static_cast<std::size_t>(i)];
+      return at(i).is_joined();
     }
 
     /** What candidates bear at most where these are their reactions, however
@@ -111,106 +130,28 @@ namespace conetact::contact
     fracture(const Eigen::VectorXd       &openings,
              const solvers::ContactState &end) const;
 
-    /** Whether a candidate is whole after a largest opening and a way of slip
-     * [length]. */
-    bool
-    is_whole(const std::size_t i,
-             const double      opened,
-             const double      slipped) const;
-
-    /** Whether a fluid presses both sides of a candidate apart. */
-    bool
-    is_wet(const std::size_t i) const
-    {
-      return fluids[i] > 0;
-    }
-    /** Whether both sides of a candidate see each other. */
-    bool
-    sees(const std::size_t i) const
-    {
-      return active[i];
-    }
-    /** A candidate at the start of the increment, at the time of its end. */
-    const pairing::Situation &
-    known(const std::size_t i) const
-    {
-      return start[i];
-    }
-    /** Its reaction along its tangents at the start [force]. */
-    Eigen::VectorXd
-    friction_at_start(const std::size_t i) const;
-    double
-    duration() const
-    {
-      return time;
-    }
-
   private:
-    pairing::Situation
-    situation(const std::size_t i, const double r_n, const double slip) const;
-    double
-    coefficient(const std::size_t         i,
-                const pairing::Situation &at,
-                const unsigned int        axis) const;
-    double
-    most_friction(const std::size_t  i,
-                  const double       r_n,
-                  const unsigned int axis) const;
-    /** Of what presses by r_n, without a bond, along an axis of friction. */
-    solvers::FrictionLimit
-    friction(const std::size_t  i,
-             const unsigned int axis,
-             const double       r_n,
-             const double       slip) const;
-    /** The same with its bond, as limit(). */
-    solvers::FrictionLimit
-    limit_along(const std::size_t  i,
-                const unsigned int axis,
-                const double       s,
-                const double       slip,
-                const double       gap) const;
-    /** Whether friction along its tangents is that of an ellipse, and whether
-     * it has both. */
-    bool
-    has_axes(const std::size_t i) const;
-    bool
-    is_elliptic(const std::size_t i) const;
-    solvers::FrictionLimit
-    mean_of(const std::size_t             i,
-            const solvers::FrictionLimit &one,
-            const solvers::FrictionLimit &two) const;
-    /** What little is, to a bond [length]. */
-    double
-    step_of(const std::size_t i) const;
-    double
-    slip(const std::size_t i, const solvers::ContactState &end) const;
+    const CandidateLaw &
+    at(const Index i) const
+    {
+      return (*this)[static_cast<std::size_t>(i)];
+    }
+    /** A value of each candidate, by its number. */
+    template <typename Value>
     Eigen::VectorXd
-    seen(const std::size_t i, const solvers::ContactState &end) const;
-    /** What is left of a bond. */
-    double
-    rest(const std::size_t i, const double slip, const double gap) const;
-    /** Its largest pull at this gap [force]. */
-    double
-    pull(const std::size_t i, const double slip, const double gap) const;
-    double
-    fracture(const std::size_t i,
-             const double      gap_at_start,
-             const double      gap_at_end,
-             const double      slip) const;
+    of_each(const Value &value) const
+    {
+      Eigen::VectorXd values(static_cast<Index>(all.size()));
+      for (Index i = 0; i < values.size(); ++i)
+        values[i] = value(i);
+      return values;
+    }
 
-    const ContactPoints               &points;
-    std::vector<pairing::Situation>    start;
-    Eigen::VectorXd                    r_start;
-    double                             time;
-    double                             part_of_wear = 1;
-    std::vector<std::array<double, 2>> constant; ///< mu where it is known
-    std::vector<bool>                  active, joined;
-    std::vector<double>                strength, cohesion; ///< whole [force]
-    std::vector<double>                fluids; ///< of what is wet [force]
-    std::vector<bool>                  bonds;
-    bool                               soft; ///< something gives way
-    bool bonded;   ///< something is bonded, wet or joined
-    bool elliptic; ///< something has an ellipse for its limit of friction
+    const ContactPoints      &points;
+    std::vector<CandidateLaw> all;
+    bool                      soft     = false; ///< something gives way
+    bool                      bonded   = false; ///< or is wet or joined
+    bool                      elliptic = false; ///< some limit is an ellipse
   };
 
   /** Whether any candidate has laws of its own: each of them, whatever it is,

@@ -22,7 +22,8 @@ namespace conetact::bodies
   CellMatrices<dim>::CellMatrices(const ContinuumMesh<dim> &of_mesh,
                                   const Phases<dim>        &materials,
                                   const double              body_thickness)
-    : mesh(of_mesh)
+    : Elements(dim)
+    , mesh(of_mesh)
     , phases(materials)
     , is_ring(phases.front().element->is_axisymmetric())
     , thickness(body_thickness)
@@ -106,18 +107,26 @@ namespace conetact::bodies
 
   template <int dim>
   void
-  CellMatrices<dim>::for_each_connection(const SomeNodes         *nodes,
-                                         const ConnectionVisitor &visit) const
+  CellMatrices<dim>::for_each_connection(const ConnectionVisitor &visit) const
   {
-    for_each_cell(nodes,
-                  [&](const unsigned int,
-                      const std::vector<unsigned int> &dofs) { visit(dofs); });
+    for_each_cell(nullptr,
+                  [&](const unsigned int, const auto &dofs) { visit(dofs); });
   }
 
   template <int dim>
   void
-  CellMatrices<dim>::for_each(const SomeNodes      *nodes,
-                              const ElementVisitor &visit) const
+  CellMatrices<dim>::for_each_connection_at(
+    const SomeNodes         &nodes,
+    const ConnectionVisitor &visit) const
+  {
+    for_each_cell(&nodes,
+                  [&](const unsigned int, const auto &dofs) { visit(dofs); });
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::visit_cells(const SomeNodes      *nodes,
+                                 const ElementVisitor &visit) const
   {
     Matrix single;
     for_each_cell(nodes,
@@ -173,9 +182,9 @@ namespace conetact::bodies
 
   template <int dim>
   std::size_t
-  CellMatrices<dim>::add_forces(const SomeNodes       *nodes,
-                                const Eigen::VectorXd &u,
-                                Eigen::VectorXd       &f) const
+  CellMatrices<dim>::multiply_cells(const SomeNodes       *nodes,
+                                    const Eigen::VectorXd &u,
+                                    Eigen::VectorXd       &f) const
   {
     Columns     forces;
     std::size_t n = 0;
@@ -192,6 +201,24 @@ namespace conetact::bodies
         }
     });
     return n;
+  }
+
+  template <int dim>
+  double
+  CellMatrices<dim>::largest_stretch(const Eigen::VectorXd &u) const
+  {
+    double largest = 0; // square, until the end
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      {
+        const auto                          cell = mesh.cell(c);
+        const Eigen::Matrix<double, dim, 1> base =
+          u.template segment<dim>(dim * cell[0]);
+        for (unsigned int v = 1; v < mesh.n_cell_nodes; ++v)
+          largest = std::max(
+            largest,
+            (u.template segment<dim>(dim * cell[v]) - base).squaredNorm());
+      }
+    return std::sqrt(largest);
   }
 
   template class CellMatrices<2>;

@@ -181,11 +181,12 @@ namespace conetact::bodies
     , of_file(groups.caution)
     , notes_of_file(join(groups.notes, "; "))
     , mesh_file(groups.made_mesh)
-    , thickness(dim == 2 && !materials.front().is_axisymmetric() ?
-                  materials.front().thickness :
-                  1)
+    , extent{materials.front().is_axisymmetric(),
+             dim == 2 && !materials.front().is_axisymmetric() ?
+               materials.front().thickness :
+               1}
     , element_name(row.name)
-    , matrices(mesh, phases, thickness)
+    , matrices(mesh, phases, extent.thickness)
   {}
 
   template <int dim>
@@ -223,93 +224,8 @@ namespace conetact::bodies
   bool
   Continuum<dim>::is_axisymmetric() const
   {
-    return phases.front().material.is_axisymmetric();
+    return extent.is_ring;
   }
-
-  template <int dim>
-  double
-  Continuum<dim>::extent(const Point<dim> &p) const
-  {
-    return is_axisymmetric() ? 2 * numbers::PI * p[0] : thickness;
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::clear_axis(Eigen::VectorXd &f) const
-  {
-    if (!is_axisymmetric())
-      return;
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-      if (mesh.nodes[i][0] == 0)
-        f[static_cast<Eigen::Index>(dim * i)] = 0;
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::for_each_element(const ElementVisitor &visit) const
-  {
-    matrices.for_each(nullptr, visit);
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::for_each_connection(const ConnectionVisitor &visit) const
-  {
-    matrices.for_each_connection(nullptr, visit);
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::add_internal_forces(const Eigen::VectorXd &u,
-                                      Eigen::VectorXd       &f) const
-  {
-    matrices.add_forces(nullptr, u, f);
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::for_each_element_at(const SomeNodes      &nodes,
-                                      const ElementVisitor &visit) const
-  {
-    matrices.for_each(&nodes, visit);
-  }
-
-  template <int dim>
-  void
-  Continuum<dim>::for_each_connection_at(const SomeNodes         &nodes,
-                                         const ConnectionVisitor &visit) const
-  {
-    matrices.for_each_connection(&nodes, visit);
-  }
-
-  template <int dim>
-  std::size_t
-  Continuum<dim>::add_internal_forces_at(const SomeNodes       &nodes,
-                                         const Eigen::VectorXd &u,
-                                         Eigen::VectorXd       &f) const
-  {
-    return matrices.add_forces(&nodes, u, f);
-  }
-
-  template <int dim>
-  double
-  Continuum<dim>::largest_stretch(const Eigen::VectorXd &u) const
-  {
-    double largest = 0; // square, until the end
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      {
-        const auto                          cell = mesh.cell(c);
-        const Eigen::Matrix<double, dim, 1> base =
-          u.template segment<dim>(dim * cell[0]);
-        for (unsigned int v = 1; v < mesh.n_cell_nodes; ++v)
-          largest = std::max(
-            largest,
-            (u.template segment<dim>(dim * cell[v]) - base).squaredNorm());
-      }
-    return std::sqrt(largest);
-  }
-
-
 
   template <int dim>
   BoundaryIds
@@ -428,14 +344,6 @@ namespace conetact::bodies
     if (!notes_of_file.empty())
       text += "; " + notes_of_file;
     return text;
-  }
-
-  template <int dim>
-  Structure::MatrixCount
-  Continuum<dim>::matrix_count() const
-  {
-    return {mesh.n_cells(),
-            static_cast<unsigned int>(matrices.cell_shapes().all().size())};
   }
 
   template <int dim>

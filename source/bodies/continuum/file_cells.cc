@@ -26,8 +26,8 @@ namespace conetact::bodies
 
   namespace
   {
-    using Groups   = std::set<unsigned int>;
-    using Elements = std::vector<const FileMesh::Element *>;
+    using Groups       = std::set<unsigned int>;
+    using FileElements = std::vector<const FileMesh::Element *>;
 
     /**
      * An id for each combination of groups: the number of a group that is
@@ -99,7 +99,7 @@ namespace conetact::bodies
                     parameters.where + "Group");
     }
 
-    Elements
+    FileElements
     cells_of(const FileMesh       &mesh,
              const unsigned int    dim,
              const MeshParameters &parameters)
@@ -107,8 +107,8 @@ namespace conetact::bodies
       Groups wanted;
       if (!parameters.group.empty())
         wanted = wanted_groups(mesh, dim, parameters);
-      Groups   seen;
-      Elements cells;
+      Groups       seen;
+      FileElements cells;
       for (const FileMesh::Element &element : mesh.elements)
         if (element.dim == dim)
           {
@@ -135,7 +135,7 @@ namespace conetact::bodies
     class Vertices
     {
     public:
-      Vertices(const FileMesh &mesh, const Elements &cells)
+      Vertices(const FileMesh &mesh, const FileElements &cells)
         : number(mesh.points.size(), unused)
       {
         for (const FileMesh::Element *cell : cells)
@@ -179,7 +179,9 @@ namespace conetact::bodies
 
     template <int dim>
     std::vector<dealii::CellData<dim>>
-    cell_data(const Elements &cells, const Vertices &vertices, GroupIds &ids)
+    cell_data(const FileElements &cells,
+              const Vertices     &vertices,
+              GroupIds           &ids)
     {
       std::vector<dealii::CellData<dim>> result;
       for (const FileMesh::Element *cell : cells)
@@ -202,7 +204,7 @@ namespace conetact::bodies
     template <int dim>
     MeshGroups::Ids
     set_boundary_ids(const FileMesh     &file,
-                     const Elements     &faces,
+                     const FileElements &faces,
                      const Vertices     &vertices,
                      Triangulation<dim> &mesh)
     {
@@ -237,7 +239,7 @@ namespace conetact::bodies
 
     template <int dim>
     void
-    create_cells(const Elements     &cells,
+    create_cells(const FileElements &cells,
                  const Vertices     &vertices,
                  const std::string  &where,
                  GroupIds           &ids,
@@ -281,7 +283,7 @@ namespace conetact::bodies
     }
 
     MeshGroups::Ids
-    cell_groups(const Elements &cells, GroupIds &ids)
+    cell_groups(const FileElements &cells, GroupIds &ids)
     {
       std::set<Groups> seen;
       for (const FileMesh::Element *cell : cells)
@@ -291,20 +293,20 @@ namespace conetact::bodies
     }
 
     /** Those that have groups. */
-    Elements
+    FileElements
     faces_of(const FileMesh &file, const unsigned int dim)
     {
-      Elements faces;
+      FileElements faces;
       for (const FileMesh::Element &element : file.elements)
         if (element.dim == dim - 1 && !element.groups.empty())
           faces.push_back(&element);
       return faces;
     }
 
-    Elements
+    FileElements
     pointers(const std::vector<FileMesh::Element> &elements)
     {
-      Elements result;
+      FileElements result;
       for (const FileMesh::Element &element : elements)
         result.push_back(&element);
       return result;
@@ -313,8 +315,8 @@ namespace conetact::bodies
     /** Cells and faces as they are taken, of one kind. */
     struct Taken
     {
-      Elements    cells, faces;
-      std::string note; ///< how they were split
+      FileElements cells, faces;
+      std::string  note; ///< how they were split
 
       /** Of split ones. */
       std::vector<FileMesh::Element> own_cells = {}, own_faces = {};
@@ -322,7 +324,7 @@ namespace conetact::bodies
 
     std::unique_ptr<Taken>
     take(const FileMesh       &file,
-         const Elements       &cells,
+         const FileElements   &cells,
          const unsigned int    dim,
          const MeshParameters &parameters)
     {
@@ -355,7 +357,7 @@ namespace conetact::bodies
              Triangulation<dim>   &mesh,
              CellNodes<dim>       &nodes)
   {
-    const Elements cells = cells_of(file, dim, parameters);
+    const FileElements cells = cells_of(file, dim, parameters);
     if (cells.empty())
       refuse_no_cells(dim, parameters);
     const auto     taken = take(file, cells, dim, parameters);

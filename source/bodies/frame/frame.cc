@@ -3,7 +3,6 @@
 
 #include "conetact/bodies/frame/frame.h"
 
-#include "conetact/bodies/element_forces.h"
 #include "conetact/bodies/frame/diagrams.h"
 #include "conetact/bodies/frame/graphics.h"
 
@@ -24,19 +23,39 @@ namespace conetact::bodies
         return b.count(id) > 0;
       });
     }
+
+    std::vector<Member>
+    members_of(const FrameModel &model)
+    {
+      std::vector<Member> members;
+      for (const FrameMember &member : model.members)
+        members.emplace_back(model, member);
+      return members;
+    }
+
+    /** Displacements, and rotations where some member bends. */
+    unsigned int
+    n_dofs_of_node(const unsigned int dim, const std::vector<Member> &members)
+    {
+      const bool rotate =
+        std::any_of(members.begin(), members.end(), [](const Member &m) {
+          return m.turns_with(0) || m.turns_with(1);
+        });
+      return rotate ? (dim == 2 ? 3 : 6) : dim;
+    }
   } // namespace
 
   Frame::Frame(FrameModel frame)
     : model(std::move(frame))
+    , members(members_of(model))
+    , dofs_of_node(n_dofs_of_node(model.dim, members))
+    , of_members(model, members, dofs_of_node)
     , turns(model.nodes.size(), false)
   {
-    for (const FrameMember &member : model.members)
-      {
-        members.emplace_back(model, member);
-        for (const unsigned int end : {0u, 1u})
-          if (members.back().turns_with(end))
-            turns[member.nodes[end]] = rotates = true;
-      }
+    for (const Member &member : members)
+      for (const unsigned int end : {0u, 1u})
+        if (member.turns_with(end))
+          turns[member.nodes()[end]] = true;
     for (const FrameNode &node : model.nodes)
       size =
         std::max(size, node.position.distance(model.nodes.front().position));
@@ -51,7 +70,7 @@ namespace conetact::bodies
   unsigned int
   Frame::n_components() const
   {
-    return rotates ? (model.dim == 2 ? 3 : 6) : model.dim;
+    return dofs_of_node;
   }
 
   Point<3>
@@ -99,74 +118,6 @@ namespace conetact::bodies
            ": across it nothing holds the node. Give a member a Moment of "
            "inertia, brace the node, or support it.";
   }
-
-  unsigned int
-  Frame::dof(const Member &member, const unsigned int k) const
-  {
-    const unsigned int c = k % 6;
-    return n_components() * member.nodes()[k / 6] + (c < 3          ? c :
-                                                     model.dim == 2 ? 2 :
-                                                                      c);
-  }
-
-  void
-  Frame::for_each_element(const ElementVisitor &visit) const
-  {
-    std::vector<unsigned int> dofs;
-    Eigen::MatrixXd           matrix;
-    for (const Member &member : members)
-      {
-        const auto           active = member.active_dofs(model.dim);
-        const Member::Matrix k      = member.stiffness();
-        const auto           n      = static_cast<Eigen::Index>(active.size());
-        dofs.clear();
-        matrix.resize(n, n);
-        for (const unsigned int i : active)
-          dofs.push_back(dof(member, i));
-        for (Eigen::Index i = 0; i < n; ++i)
-          for (Eigen::Index j = 0; j < n; ++j)
-            matrix(i, j) = k(active[static_cast<std::size_t>(i)],
-                             active[static_cast<std::size_t>(j)]);
-        visit(dofs, matrix.data());
-      }
-  }
-
-  void
-  Frame::add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const
-  {
-    AssertDimension(u.size(), f.size());
-    Eigen::VectorXd local;
-    for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        if (rotates)
-          multiply(dofs, matrix, u, local, f);
-        else
-          multiply_strained(dofs, matrix, model.dim, u, local, f);
-      });
-  }
-
-  void
-  Frame::assemble(const std::vector<MemberLoad> &loads,
-                  Eigen::VectorXd               &f) const
-  {
-    for (std::size_t m = 0; m < members.size(); ++m)
-      {
-        const Member::Vector forces = members[m].forces(loads[m]);
-        for (const unsigned int i : members[m].active_dofs(model.dim))
-          f[dof(members[m], i)] += forces[i];
-      }
-  }
-
-  Member::Vector
-  Frame::displacements(const Member &member, const Eigen::VectorXd &u) const
-  {
-    Member::Vector all = Member::Vector::Zero();
-    for (const unsigned int i : member.active_dofs(model.dim))
-      all[i] = u[dof(member, i)];
-    return all;
-  }
-
-
 
   BoundaryIds
   Frame::boundary_ids() const
@@ -270,7 +221,8 @@ namespace conetact::bodies
   {
     std::vector<MemberMotion> motions;
     for (const Member &member : members)
-      motions.push_back({displacements(member, u), displacements(member, w)});
+      motions.push_back({of_members.displacements(member, u),
+                         of_members.displacements(member, w)});
     return draw_frame(model, members, motions, member_loads(actions));
   }
 

@@ -99,52 +99,39 @@ namespace conetact::bodies
     return loads;
   }
 
-  void
-  Frame::add_traction(const BoundaryIds  &ids,
-                      const SurfaceField &traction,
-                      Eigen::VectorXd    &f) const
+  /* What acts between the nodes of members, and at nodes without a member that
+     takes it. */
+  bool
+  Frame::add(const Action &action, Eigen::VectorXd &f) const
   {
-    assemble(member_loads({{Action::Kind::traction, ids, {}, traction, {}}}),
-             f);
-    const Surface     on = surface(ids);
+    const std::vector<MemberLoad> loads = member_loads({action});
+    of_members.assemble(loads, f);
+    const auto add_to = [&](const unsigned int  node,
+                            const Tensor<1, 3> &force) {
+      for (unsigned int c = 0; c < model.dim; ++c)
+        f[n_components() * node + c] += force[c];
+    };
+    if (action.kind == Action::Kind::point_force)
+      {
+        const unsigned int node = node_at(action.point);
+        if (node < n_nodes())
+          add_to(node, action.force(action.point, Tensor<1, 3>()));
+        return node < n_nodes() ||
+               std::any_of(loads.begin(), loads.end(), [](const auto &load) {
+                 return !load.points.empty();
+               });
+      }
+    if (action.kind != Action::Kind::traction)
+      return action.kind != Action::Kind::line_load ||
+             !surface(action.ids).faces.empty();
+    const Surface     on = surface(action.ids);
     std::vector<bool> by_member(n_nodes(), false);
     for (const SurfaceFace &face : on.faces)
       for (const unsigned int node : face.nodes)
         by_member[node] = !(model.nodes[node].area > 0);
     for (const SurfaceNode &node : on.nodes)
       if (!by_member[node.node])
-        {
-          const Tensor<1, 3> force =
-            node.area * traction(node.position, node.normal);
-          for (unsigned int c = 0; c < model.dim; ++c)
-            f[n_components() * node.node + c] += force[c];
-        }
-  }
-
-  void
-  Frame::add_body_force(const VectorField &force, Eigen::VectorXd &f) const
-  {
-    const auto field = [&](const Point<3> &p, const Tensor<1, 3> &) {
-      return force(p);
-    };
-    assemble(member_loads({{Action::Kind::body_force, {}, {}, field, {}}}), f);
-  }
-
-  bool
-  Frame::add_line_load(const BoundaryIds  &ids,
-                       const SurfaceField &load,
-                       Eigen::VectorXd    &f) const
-  {
-    assemble(member_loads({{Action::Kind::line_load, ids, {}, load, {}}}), f);
-    return !surface(ids).faces.empty();
-  }
-
-  bool
-  Frame::add_initial_strain(const InitialStrainField &strain,
-                            Eigen::VectorXd          &f) const
-  {
-    assemble(member_loads({{Action::Kind::initial_strain, {}, {}, {}, strain}}),
-             f);
+        add_to(node.node, node.area * action.force(node.position, node.normal));
     return true;
   }
 
@@ -154,28 +141,6 @@ namespace conetact::bodies
     return std::any_of(members.begin(), members.end(), [](const Member &m) {
       return m.section().expansion != 0;
     });
-  }
-
-  bool
-  Frame::add_point_force(const Point<3>     &point,
-                         const Tensor<1, 3> &force,
-                         Eigen::VectorXd    &f) const
-  {
-    const unsigned int node = node_at(point);
-    if (node < n_nodes())
-      {
-        for (unsigned int c = 0; c < model.dim; ++c)
-          f[n_components() * node + c] += force[c];
-        return true;
-      }
-    std::vector<MemberLoad> loads(members.size());
-    add_point(point, force, loads);
-    bool found = false;
-    for (const MemberLoad &load : loads)
-      found = found || !load.points.empty();
-    if (found)
-      assemble(loads, f);
-    return found;
   }
 
   void

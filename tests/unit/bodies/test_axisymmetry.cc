@@ -78,7 +78,7 @@ namespace conetact::test
             });
           EXPECT_EQ((k * along).norm(), 0);
           Eigen::VectorXd f = Eigen::VectorXd::Zero(k.rows());
-          body->add_internal_forces(1e6 * along, f);
+          body->elements().add_forces(1e6 * along, f);
           EXPECT_EQ(f.norm(), 0);
           // as many motions without force as nodes on the axis, and one
           const Eigen::FullPivLU<Eigen::MatrixXd> lu(k);
@@ -115,11 +115,10 @@ namespace conetact::test
             return .01 * Tensor<1, 3>({p[0], p[1], 0.});
           });
           Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size());
-          body->add_initial_strain(
-            [](const Point<3> &) {
-              return InitialStrain{{}, 1.};
-            },
-            f);
+          body->add(Action::initial_strains([](const Point<3> &) {
+                      return InitialStrain{{}, 1.};
+                    }),
+                    f);
           EXPECT_LT((f - stiffness(*body) * u).norm(), 1e-13 * f.norm());
         }
   }

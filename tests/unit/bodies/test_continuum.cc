@@ -93,9 +93,9 @@ TEST(Continuum, ElementsOfSomeNodesAreThoseThatHaveThem)
           list.push_back(dofs);
         };
       };
-      body->for_each_element_at(nodes, into(own));
-      body->Structure::for_each_element_at(nodes, into(of_all));
-      body->for_each_connection_at(nodes, [&](const auto &dofs) {
+      body->elements().for_each_at(nodes, into(own));
+      body->elements().Elements::for_each_at(nodes, into(of_all));
+      body->elements().for_each_connection_at(nodes, [&](const auto &dofs) {
         connections.push_back(dofs);
       });
       EXPECT_EQ(own, of_all);
@@ -103,8 +103,8 @@ TEST(Continuum, ElementsOfSomeNodesAreThoseThatHaveThem)
 
       const Eigen::VectorXd u = Eigen::VectorXd::Random(body->n_dofs());
       Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size()), some = f;
-      body->add_internal_forces(u, f);
-      EXPECT_EQ(body->add_internal_forces_at(nodes, u, some), own.size());
+      body->elements().add_forces(u, f);
+      EXPECT_EQ(body->elements().add_forces_at(nodes, u, some), own.size());
       for (Eigen::Index dof = 0; dof < u.size(); ++dof)
         if (nodes[static_cast<unsigned int>(dof) / body->n_components()])
           {
@@ -155,7 +155,7 @@ TEST(Continuum, UniformStrainIsExact)
 TEST(Continuum, ElementsAreExactlySymmetric)
 {
   for (const auto &body : all_bodies())
-    body->for_each_element(
+    body->elements().for_each(
       [](const std::vector<unsigned int> &dofs, const double *matrix) {
         for (std::size_t i = 0; i < dofs.size(); ++i)
           for (std::size_t j = 0; j < i; ++j)
@@ -168,7 +168,7 @@ TEST(Continuum, TranslationsMeetNoForceToTheLastBit)
   for (const auto &body : all_bodies())
     {
       const unsigned int dim = body->n_components();
-      body->for_each_element(
+      body->elements().for_each(
         [&](const std::vector<unsigned int> &dofs, const double *matrix) {
           for (std::size_t i = 0; i < dofs.size(); ++i)
             for (unsigned int c = 0; c < dim; ++c)
@@ -203,7 +203,7 @@ TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
       // the more modes a cell has, the further apart their energies
       const double least =
         body->description().find("P2") != std::string::npos ? 1e-4 : 1e-3;
-      body->for_each_element(
+      body->elements().for_each(
         [&](const std::vector<unsigned int> &dofs, const double *matrix) {
           const auto            n = static_cast<Eigen::Index>(dofs.size());
           const Eigen::VectorXd energies =
@@ -264,7 +264,7 @@ TEST(Continuum, BilinearFieldsHaveTheirEnergy)
 TEST(Continuum, CongruentCellsShareTheirMatrix)
 {
   const auto shapes = [](const unsigned int dim, const std::string &mesh) {
-    return make_body(dim, mesh)->matrix_count().matrices;
+    return make_body(dim, mesh)->elements().count().matrices;
   };
   const std::string fine = "Generator = subdivided_hyper_rectangle|"
                            "Arguments = 80, 40 : 0, 0 : 8, 4 : true";
@@ -347,12 +347,11 @@ TEST(Continuum, SurfaceOfBallWithHangingNodes)
     hanging.insert(node.node);
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(body->n_dofs());
-  body->add_traction(
-    body->boundary_ids(),
-    [&](const Point<3> &, const Tensor<1, 3> &) {
-      return Tensor<1, 3>({1, 0, 0});
-    },
-    f);
+  body->add(Action::traction(body->boundary_ids(),
+                             [&](const Point<3> &, const Tensor<1, 3> &) {
+                               return Tensor<1, 3>({1, 0, 0});
+                             }),
+            f);
   const double exact = Sums(*body, f).force[0]; // of the straight-edged faces
   EXPECT_NEAR(area(surface), exact, 1e-13 * exact);
   EXPECT_NEAR(exact, 4 * dealii::numbers::PI, 1.5);
@@ -373,19 +372,20 @@ TEST(Continuum, TractionsHaveTheirResultants)
       const unsigned int dim = body->n_components();
       const auto         all = body->boundary_ids();
       Eigen::VectorXd    f = Eigen::VectorXd::Zero(body->n_dofs()), g = f;
-      body->add_traction(
-        all, [](const auto &, const auto &n) { return -2. * n; }, f);
+      body->add(Action::traction(
+                  all, [](const auto &, const auto &n) { return -2. * n; }),
+                f);
       EXPECT_LE(Sums(*body, f).force.norm(), 1e-13);
       EXPECT_LE(Sums(*body, f).moment.norm(), 1e-13);
 
       f.setZero();
-      body->add_traction(
-        all, [](const auto &x, const auto &n) { return x[1] * n; }, f);
-      body->add_body_force(
-        [](const auto &) {
-          return Tensor<1, 3>({0, 1, 0});
-        },
-        g);
+      body->add(Action::traction(
+                  all, [](const auto &x, const auto &n) { return x[1] * n; }),
+                f);
+      body->add(Action::body_force([](const auto &) {
+                  return Tensor<1, 3>({0, 1, 0});
+                }),
+                g);
       EXPECT_LE((Sums(*body, f).force - Sums(*body, g).force).norm(), 1e-13);
       EXPECT_LE((Sums(*body, f).moment - Sums(*body, g).moment).norm(),
                 dim == 2 ? 1e-13 : 1e-2); // faces of the ball are warped
@@ -397,21 +397,19 @@ TEST(Continuum, LoadsCountTheThickness)
   const auto body =
     make_body(2, square, "Young modulus=1|Poisson ratio=0|Thickness = 3");
   Eigen::VectorXd f = Eigen::VectorXd::Zero(body->n_dofs());
-  body->add_traction(
-    {3},
-    [](const auto &x, const auto &) {
-      return Tensor<1, 3>({1, x[0] * x[0], 0});
-    },
-    f);
+  body->add(Action::traction({3},
+                             [](const auto &x, const auto &) {
+                               return Tensor<1, 3>({1, x[0] * x[0], 0});
+                             }),
+            f);
   EXPECT_NEAR(Sums(*body, f).force[0], 9, 1e-14);
   EXPECT_NEAR(Sums(*body, f).force[1], 27, 1e-13);
   EXPECT_NEAR(Sums(*body, f).moment[2], 81 * .75 - 9, 1e-13);
   f.setZero();
-  body->add_body_force(
-    [](const auto &x) {
-      return Tensor<1, 3>({x[0], 0, 0});
-    },
-    f);
+  body->add(Action::body_force([](const auto &x) {
+              return Tensor<1, 3>({x[0], 0, 0});
+            }),
+            f);
   EXPECT_NEAR(Sums(*body, f).force[0], 13.5, 1e-13);
 }
 
@@ -420,7 +418,7 @@ TEST(Continuum, PointForcesKeepForceAndMoment)
   const auto check = [](const Structure &body, const Point<3> &p) {
     Eigen::VectorXd    f = Eigen::VectorXd::Zero(body.n_dofs());
     const Tensor<1, 3> force({2, -3, body.n_components() == 3 ? 5. : 0.});
-    EXPECT_TRUE(body.add_point_force(p, force, f)) << p;
+    EXPECT_TRUE(body.add(Action::point_force(p, force), f)) << p;
     EXPECT_LE((Sums(body, f).force - force).norm(), 1e-13) << p;
     EXPECT_LE(Sums(body, f, p).moment.norm(), 1e-11) << p;
   };
@@ -438,9 +436,9 @@ TEST(Continuum, PointForcesKeepForceAndMoment)
   check(*sphere, Point<3>(.1, .2, -.3));
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(plate->n_dofs());
-  EXPECT_FALSE(plate->add_point_force(Point<3>(9, 9, 0), {}, f));
-  EXPECT_FALSE(plate->add_point_force(Point<3>(.5, .5, 1), {}, f));
-  EXPECT_FALSE(plate->add_point_force(Point<3>(-.01, 0, 0), {}, f));
+  EXPECT_FALSE(plate->add(Action::point_force(Point<3>(9, 9, 0), {}), f));
+  EXPECT_FALSE(plate->add(Action::point_force(Point<3>(.5, .5, 1), {}), f));
+  EXPECT_FALSE(plate->add(Action::point_force(Point<3>(-.01, 0, 0), {}), f));
 }
 
 TEST(Continuum, SpringsResistTranslation)
@@ -475,11 +473,11 @@ TEST(Continuum, GraphicsAreWrittenOrRefused)
 {
   const auto            body = make_body(2, disk);
   const Eigen::VectorXd u    = Eigen::VectorXd::Ones(body->n_dofs());
-  body->write_graphics(u, 2., folder() / "disk.vtu");
+  write_graphics(*body, u, 2., folder() / "disk.vtu");
   std::ifstream     stream(folder() / "disk.vtu");
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   for (const char *name : {"displacement", "stress", "von_mises", "TIME"})
     EXPECT_NE(text.find("\"" + std::string(name) + "\""), std::string::npos);
-  EXPECT_THROW(body->write_graphics(u, 2., folder() / "none" / "disk.vtu"),
+  EXPECT_THROW(write_graphics(*body, u, 2., folder() / "none" / "disk.vtu"),
                WriteError);
 }

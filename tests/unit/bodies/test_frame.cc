@@ -74,7 +74,7 @@ namespace
       const double           place)
   {
     const Member        &m    = frame.all_members()[member];
-    const Member::Vector ends = frame.displacements(m, u);
+    const Member::Vector ends = frame.elements().displacements(m, u);
     return member_sections(m,
                            ends,
                            ends,
@@ -134,10 +134,10 @@ TEST(Frame, CantileverUnderEndForce)
       const double s = sin(angle * M_PI / 180), c = cos(angle * M_PI / 180);
       const unsigned int tip = 3 * (frame->n_nodes() - 1);
       Eigen::VectorXd    f   = no_forces(*frame);
-      ASSERT_TRUE(
-        frame->add_point_force({4 * c, 4 * s, 0},
-                               Tensor<1, 3>({5 * c + 2 * s, 5 * s - 2 * c, 0.}),
-                               f));
+      ASSERT_TRUE(frame->add(
+        Action::point_force({4 * c, 4 * s, 0},
+                            Tensor<1, 3>({5 * c + 2 * s, 5 * s - 2 * c, 0.})),
+        f));
       const Eigen::VectorXd u = solve(*frame, {0, 1, 2}, f);
       EXPECT_NEAR(c * u[tip] + s * u[tip + 1], 5 * L / (E * A), 1e-13);
       EXPECT_NEAR(-s * u[tip] + c * u[tip + 1],
@@ -194,7 +194,7 @@ TEST(Frame, FixedEndForces)
   const auto    frame = one_member();
   const Actions load = {{Action::Kind::line_load, {4}, {}, uniform(0, -6), {}}};
   Eigen::VectorXd f  = no_forces(*frame);
-  ASSERT_TRUE(frame->add_line_load({4}, uniform(0, -6), f));
+  ASSERT_TRUE(frame->add(Action::line_load({4}, uniform(0, -6)), f));
   EXPECT_NEAR(f[1], -6 * L / 2, 1e-13);
   EXPECT_NEAR(f[2], -6 * L * L / 12, 1e-13);
   EXPECT_NEAR(f[5], 6 * L * L / 12, 1e-13);
@@ -211,7 +211,7 @@ TEST(Frame, FixedEndForces)
   Eigen::VectorXd    g = no_forces(*frame);
   const Point<3>     at(1, 0, 0);
   const Tensor<1, 3> p({0., -8., 0.});
-  ASSERT_TRUE(frame->add_point_force(at, p, g));
+  ASSERT_TRUE(frame->add(Action::point_force(at, p), g));
   EXPECT_NEAR(g[2], -8. * 1 * 9 / 16, 1e-13);
   EXPECT_NEAR(g[5], 8. * 1 * 3 / 16, 1e-13);
   const Actions point = {
@@ -219,7 +219,7 @@ TEST(Frame, FixedEndForces)
   EXPECT_NEAR(cut(*frame, u, point, 0, .25).moment[2],
               2 * 8. * 1 * 9 / 64,
               1e-12); // 2 P a^2 b^2/L^3
-  EXPECT_FALSE(frame->add_point_force({1, .1, 0}, p, g));
+  EXPECT_FALSE(frame->add(Action::point_force({1, .1, 0}, p), g));
 }
 
 TEST(Frame, DeflectionsBetweenNodesAreExact)
@@ -282,12 +282,11 @@ TEST(Frame, LinearLineLoadIsExact)
   const auto frame =
     make_frame(2, "Nodes = 1: 0, 0 ; 2: 4, 0|Members = 1-2: s", beam);
   Eigen::VectorXd f = no_forces(*frame);
-  frame->add_line_load(
-    {0},
-    [](const Point<3> &x, const Tensor<1, 3> &) {
-      return Tensor<1, 3>({0., -x[0], 0.});
-    },
-    f);
+  frame->add(Action::line_load({0},
+                               [](const Point<3> &x, const Tensor<1, 3> &) {
+                                 return Tensor<1, 3>({0., -x[0], 0.});
+                               }),
+             f);
   // cantilever, triangular load with its largest value q L at the tip
   const Eigen::VectorXd u = solve(*frame, {0, 1, 2}, f);
   EXPECT_NEAR(u[4], -11 * L * pow(L, 4) / (120 * E * I), 1e-12);
@@ -302,7 +301,7 @@ TEST(Frame, HingesPassNoMoment)
                                 beam);
   const Actions load = {{Action::Kind::line_load, {0}, {}, uniform(0, -6), {}}};
   Eigen::VectorXd f  = no_forces(*frame);
-  frame->add_line_load({0}, uniform(0, -6), f);
+  frame->add(Action::line_load({0}, uniform(0, -6)), f);
   EXPECT_FALSE(frame->has_dof(1, 2));
   const Eigen::VectorXd u = solve(*frame, {0, 1, 2, 3, 4}, f);
   EXPECT_NEAR(f[4], -3 * 6 * L / 8, 1e-12);
@@ -319,7 +318,7 @@ TEST(Frame, HingesPassNoMoment)
   const auto bar =
     make_frame(2, "Nodes = 1: 0, 0 ; 2: 4, 0|Members = 1-2: bar", beam);
   Eigen::VectorXd g = no_forces(*bar);
-  bar->add_line_load({0}, uniform(0, -6), g);
+  bar->add(Action::line_load({0}, uniform(0, -6)), g);
   EXPECT_NEAR(g[1], -6 * L / 2, 1e-13);
   EXPECT_NEAR(cut(*bar, no_forces(*bar), load, 0, .5).moment[2],
               6 * L * L / 8,
@@ -353,7 +352,7 @@ TEST(Frame, TrussOfTwoBars)
                                 beam);
   Eigen::VectorXd f     = no_forces(*frame);
   EXPECT_EQ(frame->n_components(), 2u);
-  frame->add_point_force({2, -2, 0}, Tensor<1, 3>({0., -10., 0.}), f);
+  frame->add(Action::point_force({2, -2, 0}, Tensor<1, 3>({0., -10., 0.})), f);
   const Eigen::VectorXd u = solve(*frame, {0, 1, 4, 5}, f);
   EXPECT_NEAR(cut(*frame, u, {}, 0, .5).force[0], 10 / sqrt(2.), 1e-12);
   EXPECT_NEAR(u[3], -10 * sqrt(8.) / (100 * 2), 1e-13);
@@ -368,11 +367,10 @@ TEST(Frame, WeightIsPerVolume)
       for (const Member &member : frame->all_members())
         volume += member.section().area * member.length();
       const unsigned int n = frame->n_components();
-      frame->add_body_force(
-        [](const Point<3> &) {
-          return Tensor<1, 3>({0., -3., 0.});
-        },
-        f);
+      frame->add(Action::body_force([](const Point<3> &) {
+                   return Tensor<1, 3>({0., -3., 0.});
+                 }),
+                 f);
       double sum = 0;
       for (unsigned int i = 0; i < frame->n_nodes(); ++i)
         sum += f[n * i + 1];
@@ -408,7 +406,7 @@ TEST(Frame, DoubleLayerGrids)
       EXPECT_NEAR(centre.norm(), 0, 1e-12);
 
       Eigen::VectorXd f = no_forces(*frame);
-      frame->add_traction({2}, uniform(0, 0, -2), f);
+      frame->add(Action::traction({2}, uniform(0, 0, -2)), f);
       EXPECT_NEAR(f.sum(), -2. * 6 * n * n, 1e-11);
       EXPECT_EQ(f[3 * upper.nodes[1].node + 2], -6);
     }
@@ -426,8 +424,8 @@ TEST(Frame, SurfacesAndTheirLoads)
   EXPECT_EQ(frame->boundary_ids(), (BoundaryIds{0, 5}));
 
   Eigen::VectorXd f = no_forces(*frame), g = f;
-  frame->add_traction({5}, uniform(0, -1), f);
-  frame->add_line_load({5}, uniform(0, -2), g);
+  frame->add(Action::traction({5}, uniform(0, -1)), f);
+  frame->add(Action::line_load({5}, uniform(0, -2)), g);
   EXPECT_NEAR((f - g).norm(), 0, 1e-13);
   EXPECT_NE(f[5], 0); // fixed-end moment
 
@@ -435,7 +433,7 @@ TEST(Frame, SurfacesAndTheirLoads)
   const auto foot =
     make_frame(2, "Nodes = 1: 0, 0 : 7 ; 2: 0, 4|Members = 1-2: s", beam);
   EXPECT_NEAR(foot->surface({7}).nodes.at(0).area, 2 * 2, 1e-14);
-  EXPECT_FALSE(foot->add_line_load({7}, uniform(1, 0), f));
+  EXPECT_FALSE(foot->add(Action::line_load({7}, uniform(1, 0)), f));
 }
 
 TEST(Frame, DividedMembersAreLoadedWholeOrNot)
@@ -448,7 +446,7 @@ TEST(Frame, DividedMembersAreLoadedWholeOrNot)
                    ids,
                  beam);
     Eigen::VectorXd f = no_forces(*frame);
-    frame->add_line_load({0}, uniform(0, -1), f);
+    frame->add(Action::line_load({0}, uniform(0, -1)), f);
     double sum = 0;
     for (unsigned int i = 0; i < frame->n_nodes(); ++i)
       sum += f[frame->n_components() * i + 1];
@@ -467,11 +465,10 @@ TEST(Frame, TemperatureWithoutForce)
       if (frame->all_members()[0].section().expansion == 0)
         continue;
       Eigen::VectorXd f = no_forces(*frame);
-      EXPECT_TRUE(frame->add_initial_strain(
-        [](const Point<3> &) {
-          return InitialStrain{{}, 30.};
-        },
-        f));
+      EXPECT_TRUE(frame->add(Action::initial_strains([](const Point<3> &) {
+                               return InitialStrain{{}, 30.};
+                             }),
+                             f));
     }
   // a bar that is free expands, one that is held is pressed
   const auto bar =
@@ -481,7 +478,7 @@ TEST(Frame, TemperatureWithoutForce)
        return InitialStrain{{}, 15 * x[0]};
      }}};
   Eigen::VectorXd f = no_forces(*bar);
-  bar->add_initial_strain(heat[0].strain, f);
+  bar->add(Action::initial_strains(heat[0].strain), f);
   const Eigen::VectorXd u = solve(*bar, {0, 1, 2}, f);
   EXPECT_NEAR(u[6], .01 * 30 * 4, 1e-12);
   for (const double s : {0., .5, 1.})
@@ -504,7 +501,7 @@ TEST(Frame, InitialStrainCountsAlongMembers)
        return InitialStrain{strain, 0};
      }}};
   Eigen::VectorXd f = no_forces(*bar);
-  EXPECT_TRUE(bar->add_initial_strain(swelling[0].strain, f));
+  EXPECT_TRUE(bar->add(Action::initial_strains(swelling[0].strain), f));
   const Eigen::VectorXd held = no_forces(*bar);
   EXPECT_NEAR(cut(*bar, held, swelling, 0, .5).force[0], -E * A * along, 1e-11);
   EXPECT_NEAR(f[3], .6 * E * A * along, 1e-11);
@@ -591,7 +588,7 @@ TEST(Frame, PicturesAreWritten)
   for (const auto &frame : frames())
     {
       const auto file = folder() / "frame.vtu";
-      frame->write_graphics(no_forces(*frame), 2., file);
+      write_graphics(*frame, no_forces(*frame), 2., file);
       EXPECT_GT(std::filesystem::file_size(file), 500u);
     }
 }

@@ -198,7 +198,7 @@ expect_block(const std::vector<int>    &n,
   const std::size_t n_x = static_cast<std::size_t>(n[0]) + 1,
                     n_y = static_cast<std::size_t>(n[1]) + 1;
   EXPECT_EQ(body->n_nodes(), n_x * n_y);
-  EXPECT_EQ(body->matrix_count().elements, (n_x - 1) * (n_y - 1));
+  EXPECT_EQ(body->elements().count().elements, (n_x - 1) * (n_y - 1));
   std::set<std::pair<long, long>> places;
   for (unsigned int i = 0; i < body->n_nodes(); ++i)
     {
@@ -218,7 +218,7 @@ expect_block(const std::vector<int>    &n,
     return Tensor<1, 3>({p[1], 0., 0.});
   });
   Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size());
-  body->add_internal_forces(u, f);
+  body->elements().add_forces(u, f);
   EXPECT_NEAR(u.dot(f) / 2, energy, 1e-10);
 }
 

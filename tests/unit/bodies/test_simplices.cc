@@ -77,28 +77,28 @@ TEST(Simplices, LoadsHaveTheirSums)
           simplices(dim, block(dim) + "|Global refinements = " + finer);
         Eigen::VectorXd f = Eigen::VectorXd::Zero(body->n_dofs());
         // linear in x: moments count, too
-        body->add_body_force(
-          [](const Point<3> &x) {
-            return Tensor<1, 3>({0, x[0], 0});
-          },
-          f);
+        body->add(Action::body_force([](const Point<3> &x) {
+                    return Tensor<1, 3>({0, x[0], 0});
+                  }),
+                  f);
         EXPECT_NEAR(f.sum(), 4.5, 1e-13);
         f.setZero();
-        body->add_traction(
-          {dim == 2 ? 3u : 5u},
-          [](const Point<3> &x, const Tensor<1, 3> &n) {
-            return x[0] * x[0] * n;
-          },
-          f);
+        body->add(Action::traction({dim == 2 ? 3u : 5u},
+                                   [](const Point<3>     &x,
+                                      const Tensor<1, 3> &n) {
+                                     return x[0] * x[0] * n;
+                                   }),
+                  f);
         EXPECT_NEAR(f.sum(), 9, 1e-13);
         f.setZero();
-        EXPECT_TRUE(body->add_point_force(Point<3>(.3, .4, dim == 3 ? .2 : 0.),
-                                          Tensor<1, 3>({1, 0, 0}),
-                                          f));
+        EXPECT_TRUE(
+          body->add(Action::point_force(Point<3>(.3, .4, dim == 3 ? .2 : 0.),
+                                        Tensor<1, 3>({1, 0, 0})),
+                    f));
         EXPECT_NEAR(f.sum(), 1, 1e-14);
-        EXPECT_FALSE(body->add_point_force(Point<3>(3.1, .4, 0.),
-                                           Tensor<1, 3>({1, 0, 0}),
-                                           f));
+        EXPECT_FALSE(body->add(Action::point_force(Point<3>(3.1, .4, 0.),
+                                                   Tensor<1, 3>({1, 0, 0})),
+                               f));
       }
 }
 
@@ -108,11 +108,10 @@ TEST(Simplices, FreeExpansionIsFreeOfStress)
     {
       const auto      body   = simplices(dim, block(dim));
       Eigen::VectorXd forces = Eigen::VectorXd::Zero(body->n_dofs());
-      body->add_initial_strain(
-        [](const Point<3> &) {
-          return InitialStrain{{}, 10.};
-        },
-        forces);
+      body->add(Action::initial_strains([](const Point<3> &) {
+                  return InitialStrain{{}, 10.};
+                }),
+                forces);
       // in plane strain the strain along z is held: 1 + nu times as much
       const double          strain = dim == 2 ? 1.3e-2 : 1e-2;
       const Eigen::VectorXd u      = interpolate(*body, [&](const Point<3> &x) {

@@ -76,7 +76,7 @@ TEST(Temperature, FreeExpansionNeedsNoForce)
       });
       Eigen::VectorXd       f    = no_forces(*body);
       EXPECT_TRUE(body->expands());
-      body->add_initial_strain(heat(), f);
+      body->add(Action::initial_strains(heat()), f);
       EXPECT_LE((stiffness(*body) * u - f).cwiseAbs().maxCoeff(),
                 1e-13 * f.cwiseAbs().maxCoeff());
     }
@@ -89,7 +89,7 @@ TEST(Temperature, HeldBodyPressesOnItsBoundary)
     {
       const auto      body = distorted(c);
       Eigen::VectorXd f    = no_forces(*body);
-      body->add_initial_strain(heat(), f);
+      body->add(Action::initial_strains(heat()), f);
       double sum = 0;
       for (unsigned int n = 0; n < body->n_nodes(); ++n)
         if (std::abs(body->position(n)[0] - 1) < 1e-9)
@@ -123,7 +123,7 @@ TEST(Temperature, StressesOfABarBetweenWalls)
               held.push_back(c.dim * n + d);
         }
       Eigen::VectorXd f = no_forces(*body);
-      body->add_initial_strain(heat(), f);
+      body->add(Action::initial_strains(heat()), f);
       const Eigen::VectorXd u   = solve(*body, held, f);
       const Eigen::VectorXd r   = stiffness(*body) * u - f;
       double                sum = 0;
@@ -189,7 +189,7 @@ TEST(Temperature, NothingExpandsWithoutCoefficient)
   const auto      body = make_body(2, "File = " + write_distorted_mesh(2, 3));
   Eigen::VectorXd f    = no_forces(*body);
   EXPECT_FALSE(body->expands());
-  body->add_initial_strain(heat(), f);
+  body->add(Action::initial_strains(heat()), f);
   EXPECT_EQ(f.norm(), 0);
 }
 
@@ -237,7 +237,7 @@ TEST(InitialStrain, FreeBodiesTakeItWithoutForce)
         const Eigen::VectorXd u =
           interpolate(*body, [&](const Point<3> &x) { return strain * x; });
         Eigen::VectorXd f = no_forces(*body);
-        EXPECT_TRUE(body->add_initial_strain(field, f));
+        EXPECT_TRUE(body->add(Action::initial_strains(field), f));
         EXPECT_LE((stiffness(*body) * u - f).cwiseAbs().maxCoeff(),
                   1e-13 * f.cwiseAbs().maxCoeff())
           << c.element << ", " << c.plane;

@@ -215,7 +215,7 @@ TEST(CondensedCompliance, EqualBodiesAreCondensedOnce)
     test::section("Obstacle floor", "Shape = half space|Normal = 0, 1"));
   ContactModel model(scene->bodies, {1});
   Elasticity  &elastic = model.elasticity();
-  EXPECT_EQ(elastic.n_shared_bodies(), 1u);
+  EXPECT_EQ(elastic.report().n_shared_bodies, 1u);
   const Eigen::MatrixXd W = Parts(*elastic.system()).W;
   EXPECT_EQ(W.topLeftCorner(8, 8), W.bottomRightCorner(8, 8));
   EXPECT_EQ(W.topRightCorner(8, 8).norm(), 0);

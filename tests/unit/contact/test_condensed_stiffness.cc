@@ -65,11 +65,10 @@ namespace
     weight() const
     {
       Eigen::VectorXd f = Eigen::VectorXd::Zero(block.n_dofs());
-      block.add_body_force(
-        [](const Point<3> &p) {
-          return Tensor<1, 3>({.2 * p[1], -1., 0.});
-        },
-        f);
+      block.add(bodies::Action::body_force([](const Point<3> &p) {
+                  return Tensor<1, 3>({.2 * p[1], -1., 0.});
+                }),
+                f);
       return f;
     }
   };

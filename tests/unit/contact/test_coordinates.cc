@@ -29,7 +29,7 @@ TEST(Coordinates, SupportsAreEliminated)
   const Coordinates coordinates(scene->bodies, rules);
   EXPECT_EQ(coordinates.n_dofs(), 6);
   EXPECT_EQ(coordinates.n_unknowns(), 4);
-  EXPECT_EQ(coordinates.n_contact_unknowns(), 0);
+  EXPECT_EQ(coordinates.contact_axes().n_unknowns(), 0);
   EXPECT_EQ(coordinates.dof(0, 2), 4);
   EXPECT_EQ(coordinates.locate(coordinates.number(0, 1)),
             std::make_pair(0U, 1U));
@@ -59,7 +59,7 @@ TEST(Coordinates, ContactUnknownsComeLastInTheirFrames)
   const ContactPoints points(scene->bodies, rules, {1});
   const Coordinates   coordinates(scene->bodies, rules, &points);
   ASSERT_EQ(coordinates.n_unknowns(), 4);
-  EXPECT_EQ(coordinates.n_contact_unknowns(), 4);
+  EXPECT_EQ(coordinates.contact_axes().n_unknowns(), 4);
   for (const ContactPoint &point : points)
     for (Eigen::Index k = 0; k < 2; ++k)
       {

@@ -182,11 +182,12 @@ namespace
 
   //! [body]
   /** A peg: node 1 on a spring [force/length] to node 0, along each axis. */
-  class Peg : public Structure
+  class Peg : public Structure, private Elements
   {
   public:
     Peg(const unsigned int d, const double k)
-      : dim(d)
+      : Elements(d)
+      , dim(d)
       , spring(k)
     {}
     unsigned int
@@ -209,16 +210,20 @@ namespace
     {
       return none;
     }
+    const Elements &
+    elements() const override
+    {
+      return *this;
+    }
     void
-    for_each_element(const ElementVisitor &visit) const override
+    for_each(const ElementVisitor &visit) const override
     {
       const double k[] = {spring, -spring, -spring, spring};
       for (unsigned int c = 0; c < dim; ++c)
         visit({c, dim + c}, k);
     }
     void
-    add_internal_forces(const Eigen::VectorXd &u,
-                        Eigen::VectorXd       &f) const override
+    add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const override
     {
       const Eigen::VectorXd pull = spring * (u.tail(dim) - u.head(dim));
       f.head(dim) -= pull;
@@ -240,28 +245,20 @@ namespace
         }
       return surface;
     }
-    void
-    add_traction(const BoundaryIds  &ids,
-                 const SurfaceField &traction,
-                 Eigen::VectorXd    &f) const override
-    {
-      for (const SurfaceNode &node : surface(ids).nodes)
-        for (unsigned int c = 0; c < dim; ++c)
-          f[node.node * dim + c] +=
-            node.area * traction(node.position, node.normal)[c];
-    }
-    void
-    add_body_force(const VectorField & /*force*/,
-                   Eigen::VectorXd & /*f*/) const override
-    {} // it has no volume
     bool
-    add_point_force(const Point<3>     &point,
-                    const Tensor<1, 3> &force,
-                    Eigen::VectorXd    &f) const override
+    add(const Action &action, Eigen::VectorXd &f) const override
     {
-      for (unsigned int c = 0; c < dim; ++c)
-        f[(point[1] > .5 ? 0 : dim) + c] += force[c];
-      return true;
+      const auto add_to = [&](const unsigned int node, const Tensor<1, 3> &p) {
+        for (unsigned int c = 0; c < dim; ++c)
+          f[node * dim + c] += p[c];
+      };
+      if (action.kind == Action::Kind::traction)
+        for (const SurfaceNode &node : surface(action.ids).nodes)
+          add_to(node.node,
+                 node.area * action.force(node.position, node.normal));
+      else if (action.kind == Action::Kind::point_force)
+        add_to(action.point[1] > .5 ? 0 : 1, action.force(action.point, {}));
+      return true; // it has no volume that others act on
     }
     void
     visit_springs(const BoundaryIds & /*ids*/,
@@ -526,11 +523,11 @@ TEST(Extending, AnElement)
   Eigen::VectorXd u = Eigen::VectorXd::Zero(8), f = u;
   for (unsigned int i = 0; i < 4; ++i)
     u[2 * i] = (cell.position(i)[0] - .5) * (cell.position(i)[1] - .5);
-  cell.add_internal_forces(u, f);
+  cell.elements().add_forces(u, f);
   EXPECT_LT(f.norm(), 1e-14);
   for (unsigned int i = 0; i < 4; ++i)
     u[2 * i] = cell.position(i)[0];
-  cell.add_internal_forces(u, f);
+  cell.elements().add_forces(u, f);
   EXPECT_GT(f.norm(), 1);
 }
 
@@ -561,8 +558,8 @@ TEST(Extending, ABody)
   const auto      peg = peg_row.create(prm, 2, {}, "peg", {});
   Eigen::VectorXd u(4), f = Eigen::VectorXd::Zero(4), g = f;
   u << 0, 0, 1, -2;
-  peg->add_internal_forces(u, f);
-  peg->for_each_element(
+  peg->elements().add_forces(u, f);
+  peg->elements().for_each(
     [&](const std::vector<unsigned int> &dofs, const double *k) {
       for (std::size_t i = 0; i < dofs.size(); ++i)
         for (std::size_t j = 0; j < dofs.size(); ++j)

@@ -17,7 +17,7 @@ namespace conetact::bodies
    * kept. Matrices of single cells are kept if there is room for all of them.
    */
   template <int dim>
-  class CellMatrices
+  class CellMatrices : public Elements
   {
   public:
     using Element = ElementFormulation<dim>;
@@ -29,23 +29,48 @@ namespace conetact::bodies
                  const Phases<dim>        &materials,
                  const double              thickness);
 
-    /** Of cells that have some of these nodes; null: of all. */
     void
-    for_each(const SomeNodes *nodes, const ElementVisitor &visit) const;
+    for_each(const ElementVisitor &visit) const override
+    {
+      visit_cells(nullptr, visit);
+    }
     void
-    for_each_connection(const SomeNodes         *nodes,
-                        const ConnectionVisitor &visit) const;
-
+    for_each_at(const SomeNodes      &nodes,
+                const ElementVisitor &visit) const override
+    {
+      visit_cells(&nodes, visit);
+    }
+    void
+    for_each_connection(const ConnectionVisitor &visit) const override;
+    void
+    for_each_connection_at(const SomeNodes         &nodes,
+                           const ConnectionVisitor &visit) const override;
     /**
-     * f += K u, all dofs. What a cell's first node moves is taken out before
-     * its matrix acts: forces of cells that hardly strain keep their digits and
-     * their sum of zero, however far they move. Neighbours of one shape are
-     * multiplied together. Returns how many cells were.
+     * What a cell's first node moves is taken out before its matrix acts:
+     * forces of cells that hardly strain keep their digits and their sum of
+     * zero, however far they move. Neighbours of one shape are multiplied
+     * together.
      */
+    void
+    add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const override
+    {
+      multiply_cells(nullptr, u, f);
+    }
     std::size_t
-    add_forces(const SomeNodes       *nodes,
-               const Eigen::VectorXd &u,
-               Eigen::VectorXd       &f) const;
+    add_forces_at(const SomeNodes       &nodes,
+                  const Eigen::VectorXd &u,
+                  Eigen::VectorXd       &f) const override
+    {
+      return multiply_cells(&nodes, u, f);
+    }
+    double
+    largest_stretch(const Eigen::VectorXd &u) const override;
+    /** Cells that are translated copies of each other are congruent. */
+    Count
+    count() const override
+    {
+      return {mesh.n_cells(), static_cast<unsigned int>(shapes.all().size())};
+    }
 
     const CellShapes<dim> &
     cell_shapes() const
@@ -66,6 +91,14 @@ namespace conetact::bodies
     std::vector<int>          kept; ///< matrix of each shape, -1: none
     std::vector<Matrix>       matrices;
 
+    /** Of cells that have some of these nodes; null: of all. */
+    void
+    visit_cells(const SomeNodes *nodes, const ElementVisitor &visit) const;
+    /** Returns how many cells were multiplied. */
+    std::size_t
+    multiply_cells(const SomeNodes       *nodes,
+                   const Eigen::VectorXd &u,
+                   Eigen::VectorXd       &f) const;
     /** u of cells in a row, relative to that of their first vertices. */
     Columns
     strained(const unsigned int     first,

@@ -24,6 +24,21 @@ namespace conetact::bodies
   template <int dim>
   struct Discretization;
 
+  /** Of a body at a point, beside its mesh: thickness, 1 in 3D and of rings, or
+   * circumference. */
+  template <int dim>
+  struct Extent
+  {
+    bool   is_ring;
+    double thickness;
+
+    double
+    operator()(const dealii::Point<dim> &p) const
+    {
+      return is_ring ? 2 * dealii::numbers::PI * p[0] : thickness;
+    }
+  };
+
   /**
    * A body of quadrilaterals or triangles (2D), hexahedra or tetrahedra (3D)
    * with a displacement at each node, @f$K = \int B^T C B\,dx@f$.
@@ -59,25 +74,11 @@ namespace conetact::bodies
     bool
     is_axisymmetric() const override;
 
-    void
-    for_each_element(const ElementVisitor &visit) const override;
-    void
-    for_each_connection(const ConnectionVisitor &visit) const override;
-    void
-    add_internal_forces(const Eigen::VectorXd &u,
-                        Eigen::VectorXd       &f) const override;
-    void
-    for_each_element_at(const SomeNodes      &nodes,
-                        const ElementVisitor &visit) const override;
-    void
-    for_each_connection_at(const SomeNodes         &nodes,
-                           const ConnectionVisitor &visit) const override;
-    std::size_t
-    add_internal_forces_at(const SomeNodes       &nodes,
-                           const Eigen::VectorXd &u,
-                           Eigen::VectorXd       &f) const override;
-    double
-    largest_stretch(const Eigen::VectorXd &u) const override;
+    const Elements &
+    elements() const override
+    {
+      return matrices;
+    }
 
     BoundaryIds
     boundary_ids() const override;
@@ -93,25 +94,13 @@ namespace conetact::bodies
     Surface
     surface(const BoundaryIds &ids) const override;
 
-    void
-    add_traction(const BoundaryIds  &ids,
-                 const SurfaceField &traction,
-                 Eigen::VectorXd    &f) const override;
-    void
-    add_body_force(const VectorField &force, Eigen::VectorXd &f) const override;
+    /** Initial strains are taken at the nodes and interpolated between them. */
     bool
-    add_point_force(const Point<3>     &point,
-                    const Tensor<1, 3> &force,
-                    Eigen::VectorXd    &f) const override;
+    add(const Action &action, Eigen::VectorXd &f) const override;
     void
     visit_springs(const BoundaryIds        &ids,
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
-
-    /** Initial strains are taken at the nodes and interpolated between them. */
-    bool
-    add_initial_strain(const InitialStrainField &strain,
-                       Eigen::VectorXd          &f) const override;
     bool
     expands() const override;
 
@@ -132,9 +121,6 @@ namespace conetact::bodies
     {
       return mesh_file;
     }
-    /** Cells that are translated copies of each other are congruent. */
-    MatrixCount
-    matrix_count() const override;
     bool
     meets_at_corners() const override
     {
@@ -149,26 +135,6 @@ namespace conetact::bodies
     forget_mesh() override;
 
   private:
-    /** Of the body at p, beside the mesh: thickness or circumference. */
-    double
-    extent(const dealii::Point<dim> &p) const;
-    /** Nodes on the axis do not move radially: no force acts on them there. */
-    void
-    clear_axis(Eigen::VectorXd &f) const;
-
-    /** f += N^T value, at a point where the nodes have these shape values. */
-    template <class Nodes, class Shape>
-    static void
-    distribute(const Nodes        &nodes,
-               const Shape        &shape,
-               const Tensor<1, 3> &value,
-               Eigen::VectorXd    &f)
-    {
-      for (unsigned int v = 0; v < nodes.size(); ++v)
-        for (unsigned int c = 0; c < dim; ++c)
-          f[dim * nodes[v] + c] += shape(v) * value[c];
-    }
-
     std::unique_ptr<const Discretization<dim>> discretization; ///< or forgotten
     ContinuumMesh<dim>                         mesh;
     /** Of each component. */
@@ -180,7 +146,7 @@ namespace conetact::bodies
     MeshGroups::Ids   groups_of_faces;
     std::string       of_file; ///< cautions
     std::string       notes_of_file, mesh_file;
-    double            thickness; ///< 1 in 3D, of rings
+    Extent<dim>       extent;
     const char       *element_name;
     CellMatrices<dim> matrices;
   };

@@ -4,8 +4,7 @@
 #ifndef conetact_bodies_frame_frame_h
 #define conetact_bodies_frame_frame_h
 
-#include "conetact/bodies/frame/frame_model.h"
-#include "conetact/bodies/frame/members.h"
+#include "conetact/bodies/frame/frame_elements.h"
 #include "conetact/bodies/structure.h"
 
 #include <vector>
@@ -46,11 +45,11 @@ namespace conetact::bodies
     std::string
     weakness(const unsigned int node) const override;
 
-    void
-    for_each_element(const ElementVisitor &visit) const override;
-    void
-    add_internal_forces(const Eigen::VectorXd &u,
-                        Eigen::VectorXd       &f) const override;
+    const FrameElements &
+    elements() const override
+    {
+      return of_members;
+    }
 
     BoundaryIds
     boundary_ids() const override;
@@ -65,28 +64,13 @@ namespace conetact::bodies
     surface(const BoundaryIds &ids) const override;
 
     /**
-     * On members with the ids (times their width, consistent with their
-     * deflections) and at nodes without such a member (times their area).
+     * Tractions on members with the ids (times their width, consistent with
+     * their deflections) and at nodes without such a member (times their area).
+     * Point forces at a node, or on a member. By initial strains each member
+     * lengthens by their mean along it.
      */
-    void
-    add_traction(const BoundaryIds  &ids,
-                 const SurfaceField &traction,
-                 Eigen::VectorXd    &f) const override;
-    void
-    add_body_force(const VectorField &force, Eigen::VectorXd &f) const override;
-    /** At a node, or on a member, consistent with its deflection. */
     bool
-    add_point_force(const Point<3>     &point,
-                    const Tensor<1, 3> &force,
-                    Eigen::VectorXd    &f) const override;
-    bool
-    add_line_load(const BoundaryIds  &ids,
-                  const SurfaceField &load,
-                  Eigen::VectorXd    &f) const override;
-    /** Each member lengthens by the mean of the strain along it. */
-    bool
-    add_initial_strain(const InitialStrainField &strain,
-                       Eigen::VectorXd          &f) const override;
+    add(const Action &action, Eigen::VectorXd &f) const override;
     bool
     expands() const override;
     /** Springs at the nodes, by their areas. */
@@ -118,9 +102,6 @@ namespace conetact::bodies
     /** What actions exert between the nodes of each member. */
     std::vector<MemberLoad>
     member_loads(const Actions &actions) const;
-    /** The twelve dofs of a member, zero where it has none. */
-    Member::Vector
-    displacements(const Member &member, const Eigen::VectorXd &u) const;
 
   private:
     bool
@@ -133,17 +114,13 @@ namespace conetact::bodies
     add_point(const Point<3>          &p,
               const Tensor<1, 3>      &force,
               std::vector<MemberLoad> &loads) const;
-    /** The dof of entry `k` of the twelve dofs of a member. */
-    unsigned int
-    dof(const Member &member, const unsigned int k) const;
-    void
-    assemble(const std::vector<MemberLoad> &loads, Eigen::VectorXd &f) const;
 
-    const FrameModel    model;
-    std::vector<Member> members;
-    bool                rotates = false; ///< some member bends
-    std::vector<bool>   turns;           ///< whether a node's rotation is a dof
-    double              size = 0;        ///< largest distance to the first node
+    const FrameModel          model;
+    const std::vector<Member> members;
+    const unsigned int        dofs_of_node;
+    const FrameElements       of_members;
+    std::vector<bool>         turns;    ///< whether a node's rotation is a dof
+    double                    size = 0; ///< largest distance to the first node
   };
 } // namespace conetact::bodies
 
