@@ -365,9 +365,9 @@ namespace conetact
         skip();
         if (takes("("))
           {
-            Part inside = conditional();
+            Part whole = conditional();
             must_take(")");
-            return inside;
+            return whole;
           }
         const char first = at < text.size() ? text[at] : '\0';
         return is_letter(first) ? named() : number();
