@@ -330,7 +330,28 @@ namespace conetact::analysis
                        "Kinematics = finite sliding would follow them" :
                        "finite sliding is not for it: " + why_not) +
                     "): directions of forces are off by as much, friction "
-                    "of what is only pressed by more.");
+                    "of what is only pressed by more." +
+                    (all_slips(end.increment, tilted->first) ?
+                       " All of its nodes that touch slip: the limit of its "
+                       "friction may have been passed." :
+                       ""));
+  }
+
+  /** Tells whether friction holds nothing of a contact any more. */
+  bool
+  Acceptance::all_slips(const PendingIncrement &increment,
+                        const unsigned int      contact) const
+  {
+    bool any = false;
+    for (std::size_t i = 0; i < model.points.size(); ++i)
+      if (const contact::ContactPoint &point = model.points[i];
+          point.node->contact == contact && point.mu > 0)
+        {
+          if (increment.state.node[i] == solvers::NodeState::stick)
+            return false;
+          any = any || increment.state.node[i] == solvers::NodeState::slip;
+        }
+    return any;
   }
 
   std::string

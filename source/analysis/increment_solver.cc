@@ -36,7 +36,8 @@ namespace conetact::analysis
       return any;
     }
 
-    /** Whether forces are less than the rounding of what displacements do. */
+    /** Whether forces, if any are known yet, are less than the rounding of what
+     * displacements do. */
     bool
     is_lost_in_rounding(const solvers::ContactProblem &problem,
                         const solvers::ContactState   &start)
@@ -47,8 +48,8 @@ namespace conetact::analysis
       const Eigen::Index n = system.n_contact_unknowns();
       const double       force =
         std::max(problem.reference_force, solvers::largest(start.r.head(n)));
-      return force * system.matrix.diagonal().head(n).mean() <
-             1e-13 * solvers::largest(problem.load.head(n));
+      return force > 0 && force * system.matrix.diagonal().head(n).mean() <
+                            1e-13 * solvers::largest(problem.load.head(n));
     }
 
     std::string

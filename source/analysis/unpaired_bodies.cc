@@ -5,7 +5,6 @@
 
 #include "conetact/base/text.h"
 #include "conetact/bodies/displaced.h"
-#include "conetact/pairing/overlap.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -54,49 +53,74 @@ namespace conetact::analysis
     }
 
     std::optional<pairing::Overlap>
-    deep(const bodies::Structure &body, const bodies::Structure &other)
+    deep(const pairing::Solid &body, const pairing::Solid &other)
     {
-      const auto found = pairing::deepest_inside(body, other);
+      const auto found = other.deepest_inside(body);
       return found && found->depth > least_depth * found->edge ? found :
                                                                  std::nullopt;
     }
-
-    /** Where bodies stand that are displaced by u; none: undeformed. */
-    class Places
-    {
-    public:
-      Places(const contact::ContactModel &m, const Eigen::VectorXd &by)
-        : model(m)
-        , u(by)
-      {}
-
-      /** How deep one is in the other; most are far apart. */
-      std::optional<pairing::Overlap>
-      overlap(const unsigned int a, const unsigned int b)
-      {
-        if (!meet(box(a), box(b)))
-          return {};
-        const auto one = displaced(model, u, a), other = displaced(model, u, b);
-        const auto found = deep(one, other);
-        return found ? found : deep(other, one);
-      }
-
-    private:
-      const Box &
-      box(const unsigned int body)
-      {
-        const auto found = boxes.find(body);
-        return found != boxes.end() ?
-                 found->second :
-                 boxes.emplace(body, box_around(displaced(model, u, body)))
-                   .first->second;
-      }
-
-      const contact::ContactModel &model;
-      const Eigen::VectorXd       &u;
-      std::map<unsigned int, Box>  boxes;
-    };
   } // namespace
+
+  /** Where bodies stand that are displaced by u; none: undeformed. */
+  class UnpairedBodies::Places
+  {
+  public:
+    Places(const contact::ContactModel &m,
+           const Eigen::VectorXd       &by,
+           Boundaries                  &b)
+      : model(m)
+      , u(by)
+      , boundaries(b)
+    {}
+
+    /** How deep one is in the other; most are far apart. */
+    std::optional<pairing::Overlap>
+    overlap(const unsigned int a, const unsigned int b)
+    {
+      const Place &one = place(a), &other = place(b);
+      if (!meet(one.box, other.box))
+        return {};
+      const auto found = deep(solid(a), solid(b));
+      return found ? found : deep(solid(b), solid(a));
+    }
+
+  private:
+    struct Place
+    {
+      bodies::Displaced             body;
+      Box                           box;
+      std::optional<pairing::Solid> solid; ///< once it is asked for
+    };
+
+    Place &
+    place(const unsigned int body)
+    {
+      const auto found = places.find(body);
+      if (found != places.end())
+        return found->second;
+      bodies::Displaced where = displaced(model, u, body);
+      const Box         box   = box_around(where);
+      return places.emplace(body, Place{std::move(where), box, {}})
+        .first->second;
+    }
+
+    const pairing::Solid &
+    solid(const unsigned int body)
+    {
+      Place &at = place(body);
+      if (!at.solid)
+        at.solid.emplace(boundaries
+                           .try_emplace(body, *model.bodies.structures[body])
+                           .first->second,
+                         at.body);
+      return *at.solid;
+    }
+
+    const contact::ContactModel  &model;
+    const Eigen::VectorXd        &u;
+    Boundaries                   &boundaries;
+    std::map<unsigned int, Place> places;
+  };
 
   UnpairedBodies::UnpairedBodies(const application::Scene    &s,
                                  const contact::ContactModel &m)
@@ -106,7 +130,7 @@ namespace conetact::analysis
     if (!scene.near_sides)
       return;
     const Eigen::VectorXd none;
-    Places                places(model, none);
+    Places                places(model, none, boundaries);
     for (const Pair &pair : scene.near_sides->apart)
       if (!places.overlap(pair.first, pair.second))
         pairs.push_back(pair);
@@ -115,7 +139,7 @@ namespace conetact::analysis
   std::string
   UnpairedBodies::overlap(const Eigen::VectorXd &u) const
   {
-    Places places(model, u);
+    Places places(model, u, boundaries);
     for (const auto &[a, b] : pairs)
       if (const auto found = places.overlap(a, b))
         return scene.bodies.called(a) + " and " + scene.bodies.called(b) +

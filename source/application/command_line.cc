@@ -5,6 +5,7 @@
 
 #include "conetact/application/option_table.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 namespace conetact::application
 {
@@ -260,7 +262,10 @@ lets the increment that is running end, and a second one ends all at once: 130.
       if (optind + 1 < argc)
         throw InputError(std::string("More than one scene file is given: ") +
                          argv[optind] + " and " + argv[optind + 1] +
-                         ". Run them one after the other.");
+                         ". Run them one after the other." +
+                         (std::filesystem::exists(argv[optind]) ?
+                            "" :
+                            did_you_mean(argv[optind], {compare_word})));
       if (line.dry_run && line.verify)
         throw InputError("--verify condenses bodies, which --dry-run does not. "
                          "Leave one of them out.");

@@ -51,7 +51,8 @@ namespace conetact::contact
                      std::vector<Tensor<1, 3>>  &orthonormal) const
   {
     const auto found = all.find({node.body, node.node});
-    if (found == all.end() || node.is_bound() || node.slides)
+    // The ends of a spring are two places, and each is a mean over a cell.
+    if (found == all.end() || node.is_bound() || node.slides || node.spring)
       return;
     for (const Bound &bound : found->second)
       if (bound.opponent == opponent_of(node))

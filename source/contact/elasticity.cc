@@ -3,6 +3,8 @@
 
 #include "conetact/contact/elasticity.h"
 
+#include "conetact/solvers/column_groups.h"
+
 #include <deal.II/base/exceptions.h>
 
 namespace conetact::contact
@@ -108,7 +110,16 @@ namespace conetact::contact
                 const Eigen::VectorXd &resultants)
   {
     AssertDimension(null_space.cols(), resultants.size());
-    const Eigen::MatrixXd balance = null_space.transpose();
-    return balance.completeOrthogonalDecomposition().solve(resultants);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(null_space.rows());
+    for (const solvers::ColumnGroup &group : solvers::column_groups(null_space))
+      {
+        const Eigen::MatrixXd balance =
+          null_space(group.blocks, group.columns).transpose();
+        const Eigen::VectorXd own = resultants(group.columns);
+        if (balance.size() > 0) // else nothing sees the motion
+          load(group.blocks) =
+            balance.completeOrthogonalDecomposition().solve(own).eval();
+      }
+    return load;
   }
 } // namespace conetact::contact

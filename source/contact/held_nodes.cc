@@ -62,7 +62,7 @@ namespace conetact::contact
     }
 
     /** Joins the row of `giver` to that of `taker`: slaves, masters and gap
-     * become means over both areas. */
+     * become means over both areas, what is a force at each node is added. */
     void
     take(pairing::ContactNode &taker, const pairing::ContactNode &giver)
     {
@@ -78,6 +78,8 @@ namespace conetact::contact
             return (1 - part) * own(t) + part * other(t);
           };
       taker.area += giver.area;
+      taker.prestress += giver.prestress;
+      taker.cohesion += giver.cohesion;
     }
   } // namespace
 

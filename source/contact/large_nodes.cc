@@ -57,10 +57,15 @@ namespace conetact::contact
                            double            &hardest) {
         pair.nodes.insert(
           node_of_displacements(coordinates.number(body, node)));
-        // Rigid bodies have no entries: they are harder than anything.
-        hardest = elastic.bodies.is_rigid(body) ?
-                    std::numeric_limits<double>::infinity() :
-                    std::max(hardest, diagonal[coordinates.dof(body, node)]);
+        // Rigid bodies have no entries: they are harder than anything. Others
+        // may be so along any axis.
+        hardest =
+          elastic.bodies.is_rigid(body) ?
+            std::numeric_limits<double>::infinity() :
+            std::max(hardest,
+                     diagonal
+                       .segment(coordinates.dof(body, node), elastic.bodies.dim)
+                       .maxCoeff());
       };
       for (const ContactPoint &point : points.all())
         {

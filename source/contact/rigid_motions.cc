@@ -6,8 +6,11 @@
 #include "conetact/base/errors.h"
 #include "conetact/contact/null_and_range.h"
 #include "conetact/contact/unseen_motions.h"
+#include "conetact/solvers/column_groups.h"
 
 #include <deal.II/base/exceptions.h>
+
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -416,7 +419,9 @@ namespace conetact::contact
   Eigen::MatrixXd
   RigidMotions::null_space() const
   {
-    Eigen::MatrixXd result = seen_by_contacts * without_springs;
+    // Bodies that do not meet have no entries in common.
+    const Eigen::SparseMatrix<double> loose  = without_springs.sparseView();
+    Eigen::MatrixXd                   result = seen_by_contacts * loose;
     forget_unseen(result);
     return result;
   }
@@ -429,7 +434,17 @@ namespace conetact::contact
   RigidMotions::unseen() const
   {
     const Eigen::MatrixXd G = null_space();
-    return without_springs * split(G.transpose() * G).null;
+    Eigen::MatrixXd       null(G.cols(), 0);
+    for (const solvers::ColumnGroup &group : solvers::column_groups(G))
+      {
+        const Eigen::MatrixXd own      = G(group.blocks, group.columns);
+        const Eigen::MatrixXd of_group = split(own.transpose() * own).null;
+        const Index           n        = null.cols();
+        null.conservativeResize(Eigen::NoChange, n + of_group.cols());
+        null.rightCols(of_group.cols()).setZero();
+        null(group.columns, Eigen::lastN(of_group.cols())) = of_group;
+      }
+    return without_springs * null;
   }
 
 

@@ -110,14 +110,21 @@ namespace conetact::iterative
     // Each state has another pattern, and friction makes the matrix
     // unsymmetric: no order of elimination is kept from one step to the next.
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
-    if (solver.info() != Eigen::Success)
+    bool is_regular = solver.info() == Eigen::Success;
+    first_decides(is_regular);
+    if (!is_regular)
       return {};
-    Array       du = solver.solve(b);
-    const Array r  = b - matrix * du;
-    du += solver.solve(r);
+    Array du = Array::Zero(n_unknowns());
+    if (solver.info() == Eigen::Success)
+      {
+        du            = solver.solve(b);
+        const Array r = b - matrix * du;
+        du += solver.solve(r);
+      }
     team().broadcast(du);
     const double size  = b.norm();
-    const double error = size > 0 ? (b - matrix * du).norm() / size : 0.;
+    double       error = size > 0 ? (b - matrix * du).norm() / size : 0.;
+    first_decides(error);
     if (!du.allFinite())
       return {};
     return Step{keep(du), 1, error};

@@ -51,6 +51,17 @@ namespace conetact::pairing
 
     using Nodes = std::vector<unsigned int>;
 
+    /** From one corner of an edge to the other one; in the plane it is one
+     * point. */
+    Tensor<1, 3>
+    along_edge(const std::vector<Point<3>> &x, const std::size_t edge)
+    {
+      if (x.size() == 2)
+        return {};
+      const auto &c = edge_corners(x.size(), edge);
+      return x[c[1]] - x[c[0]];
+    }
+
     /** The nodes of an edge, sorted; in the plane an edge is one node. */
     Nodes
     edge_nodes(const FaceNet::Face &face, const std::size_t edge)
@@ -90,6 +101,15 @@ namespace conetact::pairing
           across -= (across * along) * along;
         }
       return across / across.norm();
+    }
+
+    FaceNet::Edge
+    make_edge(const std::vector<Point<3>> &x, const std::size_t edge)
+    {
+      const std::size_t first =
+        x.size() == 2 ? edge : edge_corners(x.size(), edge)[0];
+      const Tensor<1, 3> half = .5 * along_edge(x, edge);
+      return {across_edge(x, edge), {}, x[first] + half, half, {}};
     }
 
     double
@@ -140,7 +160,7 @@ namespace conetact::pairing
         face.radius = std::max(face.radius, face.centre.distance(corner));
       for (std::size_t e = 0; e < n; ++e)
         {
-          face.edges.push_back({across_edge(face.corners, e), {}});
+          face.edges.push_back(make_edge(face.corners, e));
           if (n > 2)
             face.size = std::max(face.size, edge_length(face, e));
         }
@@ -189,45 +209,8 @@ namespace conetact::pairing
     if (!body.hanging_nodes().empty())
       join_hanging_edges(body);
     measure_turns();
+    find_flat_edges();
     tree = FaceTree(balls_of(faces));
-  }
-
-  void
-  FaceNet::measure_turns()
-  {
-    const auto angle = [](const Tensor<1, 3> &a, const Tensor<1, 3> &b) {
-      return std::acos(std::clamp(a * b, -1., 1.));
-    };
-    for (Face &face : faces)
-      {
-        // Normals near a face differ from its mean by its own warp and by the
-        // turn to its neighbours: so far beside it may a point stand that it is
-        // nearest to.
-        double     to_others = 0, warp = 0;
-        const auto see = [&](const std::size_t other) {
-          const Tensor<1, 3> &n = faces[other].outward;
-          to_others             = std::max(to_others, angle(face.outward, n));
-          if (const auto mean = bodies::smooth_patches({face.outward, n});
-              mean.size() == 1)
-            // Facets of one smooth surface: the true normal at their edge lies
-            // between both.
-            face.bend =
-              std::max(face.bend,
-                       cross_product_3d(face.outward, mean[0]).norm());
-        };
-        const std::vector<std::size_t> others = neighbours(face);
-        std::for_each(others.begin(), others.end(), see);
-        for (std::size_t i = 0; i < face.corners.size(); ++i)
-          {
-            const Tensor<1, 3> n =
-              face_normal_at(face.corners, {{double(i % 2), double(i / 2)}});
-            warp =
-              std::max(warp,
-                       std::acos(std::min(1., std::abs(n * face.outward))));
-          }
-        const double whole = to_others + 2 * warp;
-        face.turn          = whole < M_PI / 2 ? std::sin(whole) : 1;
-      }
   }
 
   std::vector<std::size_t>

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace conetact::pairing
 {
@@ -161,11 +160,10 @@ namespace conetact::pairing
   MasterSurface::MasterSurface(const bodies::Structure   &body,
                                const bodies::BoundaryIds &ids)
     : faces(body, body.surface(ids))
-    , every_face(faces.all().size())
+    , feet(faces)
   {
-    std::iota(every_face.begin(), every_face.end(), std::size_t{0});
     for (const FaceNet::Face &face : faces.all())
-      typical_size += face.size / static_cast<double>(every_face.size());
+      typical_size += face.size / static_cast<double>(faces.all().size());
     if (const bodies::Surface boundary = whole_boundary(body);
         !boundary.two_sided)
       whole = std::make_unique<FaceNet>(body, boundary);
@@ -328,9 +326,9 @@ namespace conetact::pairing
                       const Limits                    &limits) const
   {
     // Most feet are near, and the nearest foot of a ball is the nearest of all.
-    // What has none in these balls takes a loop over all faces: many such nodes
-    // take as many times longer as there are faces.
-    for (const double faces_away : {1., 4., 16.})
+    // What has none in these balls, as nodes that look away, asks those faces
+    // only whose normals are towards it.
+    for (const double faces_away : {1., 4.})
       if (const double radius = faces_away * typical_size;
           radius < limits.reach)
         {
@@ -340,7 +338,10 @@ namespace conetact::pairing
                 p, slave_normals, nearby, faces.places().near({p, radius})))
             return found;
         }
-    return nearest_foot(p, slave_normals, limits, every_face);
+    return nearest_foot(p,
+                        slave_normals,
+                        limits,
+                        feet.faces_with_foot(faces, p));
   }
 
   /* Meets a bent face where it is: at the point from which p lies along the

@@ -7,8 +7,11 @@
 #include "conetact/pairing/closest_point.h"
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/boost_adaptors/segment.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace conetact::pairing
@@ -24,33 +27,6 @@ namespace conetact::pairing
      * last part is left out.
      */
     const Tensor<1, 3> odd_direction({.5773, .6118, .5407});
-
-    std::vector<Corners>
-    simple_faces(const bodies::Structure &body)
-    {
-      std::vector<Corners> faces;
-      const auto           add = [&](const std::vector<unsigned int> &nodes,
-                           const std::vector<std::size_t>  &which) {
-        faces.emplace_back();
-        for (const std::size_t i : which)
-          faces.back().push_back(body.position(nodes[i]));
-      };
-      const bodies::Surface surface = body.surface(body.boundary_ids());
-      if (surface.two_sided)
-        return faces;
-      for (const bodies::SurfaceFace &face : surface.faces)
-        for (const auto &part : bodies::parts_of_first_degree(body, face))
-          if (part.size() < 4)
-            add(part,
-                part.size() == 2 ? std::vector<std::size_t>{0, 1} :
-                                   std::vector<std::size_t>{0, 1, 2});
-          else // deal.II's order
-            {
-              add(part, {0, 1, 2});
-              add(part, {1, 3, 2});
-            }
-      return faces;
-    }
 
     /** Tells whether the ray from p in the odd direction meets a segment. */
     bool
@@ -84,19 +60,6 @@ namespace conetact::pairing
       return u >= 0 && v >= 0 && u + v <= 1 && f * r / d > 0;
     }
 
-    /** A point is inside of a closed surface if a ray from it meets the surface
-     * an odd number of times. */
-    bool
-    is_inside(const Point<3> &p, const std::vector<Corners> &faces)
-    {
-      const auto n =
-        std::count_if(faces.begin(), faces.end(), [&](const Corners &face) {
-          return face.size() == 2 ? meets_segment(p, face) :
-                                    meets_triangle(p, face);
-        });
-      return n % 2 == 1;
-    }
-
     double
     longest_edge(const Corners &face)
     {
@@ -107,39 +70,135 @@ namespace conetact::pairing
       return longest;
     }
 
-    Overlap
-    overlap_at(const Point<3> &p, const std::vector<Corners> &faces)
+    double
+    distance(const Box &box, const Point<3> &p)
     {
-      Overlap result{p, 0, 0};
-      for (const Corners &face : faces)
-        if (const double d = closest_point(face, p).distance;
-            result.edge == 0 || d < result.depth)
-          {
-            result.depth = d;
-            result.edge  = longest_edge(face);
-          }
-      return result;
+      Tensor<1, 3> arm;
+      for (unsigned int d = 0; d < 3; ++d)
+        arm[d] =
+          std::max({0., box.lower_bound(d) - p[d], p[d] - box.upper_bound(d)});
+      return arm.norm();
     }
   } // namespace
 
-  /* Each node in the box of the other body is asked against all faces of it: as
-     much work as nodes there times faces. Bodies that are apart cost their
-     boxes only. */
-  std::optional<Overlap>
-  deepest_inside(const bodies::Structure &body, const bodies::Structure &other)
+  Boundary::Boundary(const bodies::Structure &body)
   {
-    const std::vector<Corners> faces = simple_faces(other);
-    std::optional<Overlap>     deepest;
-    if (faces.empty())
+    const bodies::Surface surface = body.surface(body.boundary_ids());
+    for (const bodies::SurfaceNode &node : surface.nodes)
+      nodes.push_back(node.node);
+    if (surface.two_sided)
+      return;
+    for (const bodies::SurfaceFace &face : surface.faces)
+      for (const auto &part : bodies::parts_of_first_degree(body, face))
+        {
+          are_segments = part.size() == 2;
+          faces.push_back({{part[0], part[1], part[are_segments ? 1 : 2]}});
+          if (part.size() == 4) // deal.II's order
+            faces.push_back({{part[1], part[3], part[2]}});
+        }
+  }
+
+  struct Solid::Tree
+  {
+    Box                                        whole;
+    dealii::RTree<std::pair<Box, std::size_t>> faces;
+  };
+
+  Solid::Solid(const Boundary &of, const bodies::Structure &where)
+    : boundary(of)
+    , body(where)
+  {}
+
+  Corners
+  Solid::corners(const std::size_t face) const
+  {
+    const Boundary::Face &nodes = boundary.faces[face];
+    Corners corners = {body.position(nodes[0]), body.position(nodes[1])};
+    if (!boundary.are_segments)
+      corners.push_back(body.position(nodes[2]));
+    return corners;
+  }
+
+  const Solid::Tree &
+  Solid::tree_of_faces() const
+  {
+    // A ray that a face meets must not miss its box by rounding.
+    constexpr double rounding = 1e-10;
+    if (tree)
+      return *tree;
+    std::vector<std::pair<Box, std::size_t>> boxes;
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+      boxes.emplace_back(Box(corners(f)), f);
+    Box whole = boxes[0].first;
+    for (const auto &[box, f] : boxes)
+      whole.merge_with(box);
+    double size = 0;
+    for (unsigned int d = 0; d < 3; ++d)
+      size = std::max({size, -whole.lower_bound(d), whole.upper_bound(d)});
+    for (auto &[box, f] : boxes)
+      box.extend(rounding * size);
+    tree = std::make_shared<const Tree>(Tree{whole, dealii::pack_rtree(boxes)});
+    return *tree;
+  }
+
+  /** A point is inside of a closed surface if a ray from it meets the surface
+   * an odd number of times. */
+  bool
+  Solid::has_inside(const Point<3> &p, const Tree &among) const
+  {
+    namespace geometry = boost::geometry;
+    Tensor<1, 3> ray   = odd_direction;
+    if (boundary.are_segments)
+      ray[2] = 0;
+    double length = 0;
+    for (unsigned int d = 0; d < 3; ++d)
+      length += 4 * among.whole.side_length(d);
+    const geometry::model::segment<Point<3>> along(p, p + length * ray);
+    bool                                     inside = false;
+    for (const auto &[box, f] :
+         among.faces | geometry::index::adaptors::queried(
+                         geometry::index::intersects(along)))
+      if (boundary.are_segments ? meets_segment(p, corners(f)) :
+                                  meets_triangle(p, corners(f)))
+        inside = !inside;
+    return inside;
+  }
+
+  Overlap
+  Solid::overlap_at(const Point<3> &p, const Tree &among) const
+  {
+    Overlap     result{p, std::numeric_limits<double>::max(), 0};
+    std::size_t nearest = boundary.faces.size();
+    // Boxes come from the nearest one on. Of faces that are as near the first
+    // one counts, whatever the tree.
+    for (auto next = among.faces.qbegin(boost::geometry::index::nearest(
+           p, static_cast<unsigned int>(boundary.faces.size())));
+         next != among.faces.qend() && distance(next->first, p) <= result.depth;
+         ++next)
+      if (const double d = closest_point(corners(next->second), p).distance;
+          d < result.depth || (d == result.depth && next->second < nearest))
+        {
+          nearest      = next->second;
+          result.depth = d;
+        }
+    result.edge = longest_edge(corners(nearest));
+    return result;
+  }
+
+  /* Each node in the box is asked against the faces on a ray from it, and where
+     it is inside against those near it. Bodies that are apart cost their boxes
+     only. */
+  std::optional<Overlap>
+  Solid::deepest_inside(const Solid &other) const
+  {
+    std::optional<Overlap> deepest;
+    if (boundary.faces.empty())
       return deepest;
-    Corners all;
-    for (const Corners &face : faces)
-      all.insert(all.end(), face.begin(), face.end());
-    const Box box(all);
-    for (const bodies::SurfaceNode &node :
-         body.surface(body.boundary_ids()).nodes)
-      if (box.point_inside(node.position) && is_inside(node.position, faces))
-        if (const Overlap here = overlap_at(node.position, faces);
+    const Tree &among = tree_of_faces();
+    for (const unsigned int node : other.boundary.nodes)
+      if (const Point<3> p = other.body.position(node);
+          among.whole.point_inside(p) && has_inside(p, among))
+        if (const Overlap here = overlap_at(p, among);
             !deepest || here.depth > deepest->depth)
           deepest = here;
     return deepest;

@@ -158,7 +158,11 @@ namespace conetact::pairing
           whole.mu_1 = a * whole.mu_1 + (1 - a) * part.mu_1;
           whole.mu_2 = a * whole.mu_2 + (1 - a) * part.mu_2;
         }
-      whole.spacing = std::max(whole.spacing, part.spacing);
+      // Forces at each node: where both contacts have the same, the node has it
+      // as in one contact with all faces.
+      whole.prestress = a * whole.prestress + (1 - a) * part.prestress;
+      whole.cohesion  = a * whole.cohesion + (1 - a) * part.cohesion;
+      whole.spacing   = std::max(whole.spacing, part.spacing);
       whole.outward.insert(whole.outward.end(),
                            part.outward.begin(),
                            part.outward.end());

@@ -3,8 +3,11 @@
 //
 // Of the sets of nodes: which hold a body.
 
+#include "conetact/solvers/column_groups.h"
 #include "conetact/solvers/node_sets.h"
 #include "conetact/solvers/null_space.h"
+
+#include <limits>
 
 namespace conetact::solvers
 {
@@ -57,11 +60,37 @@ namespace conetact::solvers
 
 
 
+  namespace
+  {
+    /** Adds |P_i N_i a|^2 of a node to a form of a, where `rows` are the N_i of
+     * some of the motions. */
+    void
+    add_resistance(const NodeSet         &set,
+                   const Eigen::MatrixXd &rows,
+                   Eigen::MatrixXd       &resistance)
+    {
+      const Index nt  = rows.rows() - 1;
+      const auto  add = [&](const Eigen::MatrixXd &resisted) {
+        resistance.noalias() += resisted.transpose() * resisted;
+      };
+      if (set.state == NodeState::open)
+        return;
+      if (!set.is_lifted)
+        add(rows.row(nt));
+      const Eigen::MatrixXd slip = rows.topRows(nt);
+      if (set.state == NodeState::stick)
+        add(slip);
+      else if (set.ratio > 0) // along e nothing does
+        add(set.ratio *
+            (slip - set.direction * (set.direction.transpose() * slip)));
+    }
+  } // namespace
+
   /* A motion N a is resisted by the directions that the sets take from it:
      sum_i |P_i N_i a|^2 with P_i = 1 for closed gaps and stuck slips and
      P_i = ratio (1 - e e^T) for slips along e, which turn but do not stop. The
-     matrix has the size of the motions; an eigenvalue of 1e-10 of the largest
-     is rounding. */
+     matrix has the size of the motions of bodies that meet; an eigenvalue of
+     1e-10 of the largest is rounding. */
   bool
   resist_motions(const ContactSystem &system, const NodeSets &sets)
   {
@@ -72,29 +101,22 @@ namespace conetact::solvers
     const Eigen::MatrixXd N        = orthonormal_basis(system.null_space);
     if (N.cols() == 0)
       return true;
-    Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(N.cols(), N.cols());
-    const auto      add        = [&](const Eigen::MatrixXd &rows) {
-      resistance.noalias() += rows.transpose() * rows;
-    };
-    for (Index i = 0; i < system.n_nodes(); ++i)
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (const ColumnGroup &group : column_groups(N, nodes_of(system)))
       {
-        const NodeSet &set   = sets[static_cast<std::size_t>(i)];
-        const Index    first = system.first[i], nt = system.n_tangents(i);
-        if (set.state == NodeState::open)
-          continue;
-        if (!set.is_lifted)
-          add(N.row(first + nt));
-        const Eigen::MatrixXd slip = N.middleRows(first, nt);
-        if (set.state == NodeState::stick)
-          add(slip);
-        else if (set.ratio > 0) // along e nothing does
-          add(set.ratio *
-              (slip - set.direction * (set.direction.transpose() * slip)));
+        const auto      n          = static_cast<Index>(group.columns.size());
+        Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(n, n);
+        for (const Index i : group.blocks)
+          add_resistance(sets[static_cast<std::size_t>(i)],
+                         N(Eigen::seq(system.first[i], system.first[i + 1] - 1),
+                           group.columns),
+                         resistance);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+          resistance, Eigen::EigenvaluesOnly);
+        least = std::min(least, modes.eigenvalues().minCoeff());
+        most  = std::max(most, modes.eigenvalues().maxCoeff());
       }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      resistance, Eigen::EigenvaluesOnly);
-    return modes.eigenvalues().minCoeff() >
-           rounding * modes.eigenvalues().maxCoeff();
+    return least > rounding * most;
   }
 
 

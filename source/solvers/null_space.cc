@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/null_space.h"
 
+#include "conetact/solvers/column_groups.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,6 +56,20 @@ namespace conetact::solvers
       result.factor = A.leftCols(result.rank);
       return result;
     }
+
+
+
+    /** An orthonormal basis of the span of columns of about the same length. */
+    Eigen::MatrixXd
+    basis_of_span(const Eigen::MatrixXd &columns, const double tolerance)
+    {
+      if (columns.rows() == 0)
+        return Eigen::MatrixXd(0, 0);
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+      qr.setThreshold(tolerance);
+      return qr.householderQ() *
+             Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+    }
   } // namespace
 
 
@@ -69,10 +85,17 @@ namespace conetact::solvers
     for (Eigen::Index j = 0; j < scaled.cols(); ++j)
       if (scaled.col(j).squaredNorm() > 0)
         scaled.col(j).normalize();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-    qr.setThreshold(tolerance);
-    return Eigen::MatrixXd(
-      qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
+    // Columns of one group see nothing of the others.
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(scaled.rows(), scaled.cols());
+    Eigen::Index    rank  = 0;
+    for (const ColumnGroup &group : column_groups(scaled))
+      {
+        const Eigen::MatrixXd own =
+          basis_of_span(scaled(group.blocks, group.columns), tolerance);
+        basis(group.blocks, Eigen::seqN(rank, own.cols())) = own;
+        rank += own.cols();
+      }
+    return basis.leftCols(rank);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include "conetact/solvers/reach.h"
 
+#include "conetact/solvers/column_groups.h"
 #include "conetact/solvers/cone.h"
 
 #include <algorithm>
@@ -110,7 +111,15 @@ namespace conetact::solvers
         , R(null_space)
         , c(load)
         , project(on_set)
-      {}
+        , groups(column_groups(R, nodes_of(layout)))
+        , hessians(groups.size())
+      {
+        for (std::size_t g = 0; g < groups.size(); ++g)
+          for (const Index i : groups[g].blocks)
+            rows.push_back(
+              R(Eigen::seq(system.first[i], system.first[i + 1] - 1),
+                groups[g].columns));
+      }
 
       void
       solve(const double sigma, VectorXd &z, VectorXd &r)
@@ -123,7 +132,7 @@ namespace conetact::solvers
             // c has the length one, and r is a sum with sigma R z.
             if (size <= 2e-15 * (1 + sigma * z.norm()))
               break;
-            const VectorXd step  = -hessian.ldlt().solve(gradient);
+            const VectorXd step  = newton_step();
             const double   slope = gradient.dot(step);
             const double   start = value;
             const VectorXd from  = z;
@@ -143,30 +152,61 @@ namespace conetact::solvers
       }
 
     private:
+      VectorXd
+      newton_step() const
+      {
+        VectorXd step(gradient.size());
+        for (std::size_t g = 0; g < groups.size(); ++g)
+          step(groups[g].columns) =
+            -hessians[g].ldlt().solve(gradient(groups[g].columns));
+        return step;
+      }
+
+      /** Of each group of motions by itself: what does not meet has no part in
+       * the Hessian of the other. */
       void
       evaluate(const double sigma, const VectorXd &r, const VectorXd &z)
       {
-        const VectorXd x = r - sigma * (R * z);
-        projected.resize(x.size());
-        // P' of a projection is semidefinite: I + sigma R^T P' R can be
-        // inverted wherever z is.
-        hessian = MatrixXd::Identity(z.size(), z.size());
-        SmallVector p;
-        SmallMatrix D;
-        for (Index i = 0; i < system.n_nodes(); ++i)
+        VectorXd x = r;
+        projected.setZero(x.size());
+        gradient               = z - c;
+        std::size_t       next = 0; // of `rows`
+        std::vector<bool> done(static_cast<std::size_t>(system.n_nodes()));
+        for (std::size_t g = 0; g < groups.size(); ++g)
           {
-            const Index begin = system.first[i],
-                        size  = system.first[i + 1] - begin;
-            project(x.segment(begin, size), i, p, D);
-            projected.segment(begin, size) = p;
-            if (p.isZero(0))
-              continue;
-            const auto rows = R.middleRows(begin, size);
-            hessian.noalias() += sigma * rows.transpose() * (D * rows).eval();
+            const std::vector<Index> &columns = groups[g].columns;
+            const VectorXd            own     = z(columns);
+            VectorXd                  pushed  = VectorXd::Zero(own.size());
+            // P' of a projection is semidefinite: I + sigma R^T P' R can be
+            // inverted wherever z is.
+            hessians[g] = MatrixXd::Identity(own.size(), own.size());
+            for (const Index i : groups[g].blocks)
+              {
+                const MatrixXd &seen = rows[next++];
+                x.segment(system.first[i], seen.rows()) -= sigma * (seen * own);
+                project_one(i, x);
+                done[static_cast<std::size_t>(i)] = true;
+                if (value_of_node.isZero(0))
+                  continue;
+                pushed.noalias() += seen.transpose() * value_of_node;
+                hessians[g].noalias() +=
+                  sigma * seen.transpose() * (derivative * seen).eval();
+              }
+            gradient(columns) -= pushed;
           }
-        gradient = z - c - R.transpose() * projected;
-        value    = .5 * z.squaredNorm() - c.dot(z) +
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          if (!done[static_cast<std::size_t>(i)]) // no motion moves it
+            project_one(i, x);
+        value = .5 * z.squaredNorm() - c.dot(z) +
                 (2 * x - projected).dot(projected) / (2 * sigma);
+      }
+
+      void
+      project_one(const Index i, const VectorXd &x)
+      {
+        const Index begin = system.first[i], size = system.first[i + 1] - begin;
+        project(x.segment(begin, size), i, value_of_node, derivative);
+        projected.segment(begin, size) = value_of_node;
       }
 
       const ContactSystem &system;
@@ -174,9 +214,13 @@ namespace conetact::solvers
       const VectorXd      &c;
       const Projection    &project;
 
-      VectorXd projected, gradient;
-      MatrixXd hessian;
-      double   value = 0;
+      const std::vector<ColumnGroup> groups;
+      std::vector<MatrixXd> rows; ///< of R, of each group's nodes and motions
+      std::vector<MatrixXd> hessians; ///< of groups
+      VectorXd              projected, gradient;
+      SmallVector           value_of_node;
+      SmallMatrix           derivative;
+      double                value = 0;
     };
 
     /**

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Springs between points, ties that begin and end, layers that stay compressed, in closed form."""
 import csv
+import itertools
 
 from support.scenes import beam, box, contact, floor, joint, load, merge, support
 
@@ -147,7 +148,28 @@ def packed(laws):
         laws.demand("  it opens as it is let go", any(row["state"] == "open" for row in run.rows if row["time"] == 4))
 
 
+def across_a_tie(laws):
+    """Springs between tied bodies, with ends in cells that have tied nodes and at these: of the law by their ends, which move apart."""
+    k, high = 1000.0, {"Body": "high", "Boundary ids": 3}
+    for backend, pairing, (point, end) in itertools.product(("condensed", "iterative"), ("mortar", "node to face"), (
+            ((.3, .2), (1.7, 1.2)), ((.3, .8), (1.7, 1.2)), ((.3, 1.0), (1.7, 1.0)), ((.5, 1.0), (.5, 2.0)), ((.5, 1.0), (1.5, 1.0)))):
+        strap = {"Kind": "spring", "Body": "low", "Point": point, "Master body": "high", "Master point": end, "Stiffness": k}
+        scene = {"Dimension": 2, "Body low": box((4, 2), (2.0, 1.0), young=YOUNG), "Body high": box((4, 2), (2.0, 1.0), (0.0, 1.0), young=YOUNG),
+                 "Contact glue": merge(joint("high", 2, "low", 3, Kind="tie"), {"Pairing": pairing}), "Contact strap": strap,
+                 "Support floor": support(2, "x, y", body="low"), "Load pull": load("traction", "3 ; 1", high["Boundary ids"], high["Body"]),
+                 "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        row = next(row for row in run.last() if row["contact"] == "strap")
+        one = laws.run(merge(scene, {"Contact glue": {"Kind": "tie", "Active": "t > -1"}}))
+        other = next(row for row in one.last() if row["contact"] == "strap")
+        what = f"{backend}, {pairing}, a spring from {point} to {end} across a tie"
+        laws.demand(f"{what}: it bears", abs(row["r_n"]) > .1)
+        laws.check("  its law", abs(row["r_n"] + k * row["u_n"]) / abs(row["r_n"]), 1e-8)
+        laws.check("  a tie that may end", abs(row["r_n"] - other["r_n"]) / abs(row["r_n"]), 1e-8)
+
+
 def joints(laws):
+    across_a_tie(laws)
     single(laws)
     hanging(laws)
     parting(laws)

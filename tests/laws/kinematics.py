@@ -6,7 +6,7 @@ import re
 
 from laws.sliding import slab
 from support.logs import log_of
-from support.scenes import box, contact, floor, load, merge, press_and_shear, support
+from support.scenes import box, contact, floor, joint, load, merge, press_and_shear, ring, support
 from support.vectors import apply, rotation
 
 
@@ -124,7 +124,23 @@ def leaning_plank(laws):
                 laws.check(f"{what}: friction that it needs, {done.stderr.strip()}", abs(float(found[1]) / needed - 1) if found else 1, 1e-4)
 
 
+def turned_hubs(laws):
+    """A hub is turned on its shaft: the warning of its normals says where friction holds no more, for it may have been passed."""
+    told = "All of its nodes that touch slip"
+    for mu, slips in ((.1, True), (.6, False), (0.0, False)):
+        run = laws.run({"Dimension": 2, "Body hub": ring(1.0, 1.5, 48), "Body shaft": ring(.5, 1.0, 48),
+                        "Contact fit": {**joint("hub", 0, "shaft", 1), "Pairing": "node to face", "Friction coefficient": mu, "Gap": "-0.01*min(t, 1)"},
+                        "Support inside": support(0, "x, y", body="shaft"),
+                        "Support outside": support(1, "x, y", "-0.02*max(t - 1, 0)*y ; 0.02*max(t - 1, 0)*x", "hub"),
+                        "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}})
+        warnings = [line for line in log_of(run).splitlines() if "the contact normal at" in line]
+        laws.demand(f"a hub, mu = {mu}: a warning of its normals", len(warnings) == 1)
+        laws.demand(f"  that says {'' if slips else 'nothing of '}a limit of friction", (told in warnings[0]) == slips)
+        laws.demand("  which is so", all((row["state"] == "slip") == slips for row in run.last()) or mu == 0)
+
+
 def kinematics(laws):
+    turned_hubs(laws)
     symmetric_shear(laws)
     choices(laws)
     other_units(laws)

@@ -119,6 +119,18 @@ def held(laws):
         laws.check(f"{ratio[0]} on {ratio[1]} cells{', exchanged' * exchanged}: nodal pressures", swing(run), 1e-10)
         laws.check("  forces of both sides", balances(run)[0], 1e-12)
         laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
+    held_prestress(laws)
+
+
+def held_prestress(laws):
+    """A prestress that the contact itself carries moves nothing: reactions are its forces, those of held nodes as well."""
+    scene = stacked(2, *(box((n, 3), (2.0, 1.0), (0.0, y)) for n, y in zip((6, 5), (0.0, 1.0))), False, Prestress="1 + x")
+    scene.pop("Load top")
+    scene["Support sides"] = support("0, 1", "x, y", body="upper")
+    run = laws.run(scene)
+    forces = sum(1 + 2 * k / 5 for k in range(6))
+    laws.check("a prestress: the whole force", abs(run.increments[-1][f"{JOINT}_f_y"] / forces - 1), 1e-10)
+    laws.check("  which moves nothing", max(abs(row["u_n"]) for row in run.last()), 1e-12)
 
 
 def turned_on_wider(angle, exchanged, is_cut=False, pressure=PRESSURE, degree=1, **contact):

@@ -58,6 +58,7 @@ def pairs(laws):
     slot(laws)
     seams(laws)
     seams_of_laws(laws)
+    seams_of_prestress(laws)
     sliding_seams(laws)
     recesses(laws)
     borders(laws)
@@ -154,6 +155,22 @@ def seams_of_laws(laws):
             for name, mu in (("rough", .2), ("smooth", 0)):
                 most = max(abs(row["r_t1"]) / row["r_n"] for row in run.rows if row["contact"] == name and row["r_n"] > 1e-9)
                 laws.check(f"seam of {names[0]} and {names[1]}, {pairing}: friction of {name}", most, mu + 1e-9)
+
+
+def seams_of_prestress(laws):
+    """A prestress moves nothing, so that each node reacts with its own, which is the mean of both on a seam, whichever comes first."""
+    forces = {"left": 3, "right": 1}
+    for pairing, names in itertools.product(("node to face", "mortar"), (("left", "right"), ("right", "left"))):
+        met = {"Body": "slave", "Master body": "master", "Master boundary ids": 3, "Pairing": pairing}
+        ids = {"left": 2, "right": 7}
+        run = laws.run({"Dimension": 2, "Body slave": box((4, 1), (4.0, 1.0), **{"Boundary ids": "7: y < 1e-6 && x > 2"}),
+                        "Body master": box((4, 1), (4.0, 1.0), (0.0, -1.0)),
+                        **{f"Contact {name}": {**met, "Boundary ids": ids[name], "Prestress": forces[name]} for name in names},
+                        "Support top": support(3, "x, y", body="slave"), "Support ground": support(2, "x, y", body="master"),
+                        "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}})
+        laws.check(f"prestress on a seam, {pairing}, {names[0]} first",
+                   max(abs(row["r_n"] - (2 if row["x"] == 2 else forces[row["contact"]])) for row in run.last()
+                       if not row["contact"].endswith("_master")), 1e-10)
 
 
 def sliding_seams(laws):

@@ -140,6 +140,9 @@ namespace conetact::analysis
     leave_small(const IncrementEnd &end);
     void
     warn_of_tilt(const IncrementEnd &end);
+    bool
+    all_slips(const PendingIncrement &increment,
+              const unsigned int      contact) const;
     Tensor<1, 3>
     relative(const pairing::ContactNode &node,
              const Eigen::VectorXd      &u,

@@ -6,7 +6,9 @@
 
 #include "conetact/application/scene.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/pairing/overlap.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,11 +34,14 @@ namespace conetact::analysis
     overlap(const Eigen::VectorXd &u) const;
 
   private:
-    using Pair = std::pair<unsigned int, unsigned int>;
+    using Pair       = std::pair<unsigned int, unsigned int>;
+    using Boundaries = std::map<unsigned int, pairing::Boundary>;
+    class Places;
 
     const application::Scene    &scene;
     const contact::ContactModel &model;
     std::vector<Pair>            pairs;
+    mutable Boundaries boundaries; ///< of bodies that come near others
   };
 } // namespace conetact::analysis
 

@@ -26,6 +26,12 @@ namespace conetact::pairing
     {
       Tensor<1, 3>             outward;  ///< in the face, unit, across the edge
       std::vector<std::size_t> partners; ///< other faces that have the edge
+      Point<3>                 middle;
+      /** From the middle to one of its corners [length]; 0 in the plane. */
+      Tensor<1, 3> half;
+      /** In the only partner, unit, across the edge and away from it; 0: not
+       * known. */
+      Tensor<1, 3> beyond;
       bool
       is_rim() const
       {
@@ -50,22 +56,42 @@ namespace conetact::pairing
       double bend = 0;
       /** Sine of the largest turn to any neighbour, 1 from 90 degrees on. */
       double turn = 0;
+      /** Whether it and its neighbours are flat, and some of them are turned
+       * so much that `turn` tells little. */
+      bool is_at_flat_edge = false;
+      /** There: unit vectors along all edges of the surface that leave each of
+       * its corners, but in the plane. */
+      std::vector<std::vector<Tensor<1, 3>>> leaving;
+
+      /** Whether it is a line in space, which has normals all around. */
+      bool
+      is_line_in_space() const
+      {
+        return corners.size() == 2 &&
+               (corners[0][2] != 0 || corners[1][2] != 0);
+      }
 
       /**
        * Whether the nearest point of the surface may be on this face: a point
-       * stands off along normals of the face and its neighbours. Lines in
-       * space have normals all around.
+       * stands off along normals of the face and its neighbours.
        */
       bool
       may_have_foot(const Point<3> &p) const
       {
-        if (corners.size() == 2 &&
-            (corners[0][2] != 0 || corners[1][2] != 0 || p[2] != 0))
+        if (is_line_in_space() || (corners.size() == 2 && p[2] != 0))
           return true;
         const Tensor<1, 3> arm    = p - centre;
-        const Tensor<1, 3> beside = arm - (arm * outward) * outward;
-        return beside.norm() <= 1.1 * radius + turn * arm.norm();
+        const double       beside = (arm - (arm * outward) * outward).norm();
+        return beside <= 1.1 * radius + turn * arm.norm() &&
+               (!is_at_flat_edge || beside <= 1.1 * radius + .02 * arm.norm() ||
+                may_have_foot_on_edge(p));
       }
+
+    private:
+      bool
+      may_have_foot_on_edge(const Point<3> &p) const;
+      bool
+      may_have_foot_at_corner(const std::size_t i, const Point<3> &p) const;
     };
     FaceNet(const bodies::Structure &body, const bodies::Surface &surface);
 
@@ -144,6 +170,12 @@ namespace conetact::pairing
     join_hanging_edges(const bodies::Structure &body);
     void
     measure_turns();
+    void
+    find_flat_edges();
+    Tensor<1, 3>
+    beyond_edge(const std::size_t face, const std::size_t edge) const;
+    std::vector<Tensor<1, 3>>
+    edges_leaving(const unsigned int node) const;
 
     /** All that share an edge or a node with it, and itself, each once. */
     std::vector<std::size_t>

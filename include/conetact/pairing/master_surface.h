@@ -5,6 +5,7 @@
 #define conetact_pairing_master_surface_h
 
 #include "conetact/pairing/face_net.h"
+#include "conetact/pairing/foot_tree.h"
 
 #include <memory>
 #include <optional>
@@ -107,7 +108,7 @@ namespace conetact::pairing
                                   const std::vector<Tensor<1, 3>> &slave_normals,
                                   const Limits                    &limits) const;
     FaceNet                  faces;
-    std::vector<std::size_t> every_face;
+    FootTree                 feet;
     double                   typical_size = 0; ///< mean [length]
     std::unique_ptr<FaceNet> whole; ///< boundary; none: the surface has no side
   };

@@ -6,7 +6,10 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace conetact::pairing
 {
@@ -19,12 +22,46 @@ namespace conetact::pairing
   };
 
   /**
-   * The node of `body` that is deepest inside of `other`, both where they stand
-   * now; none: they do not overlap. Bodies without an inside, which are frames,
-   * overlap nothing. Planes of symmetry and other sides count as faces.
+   * The boundary of a body by its nodes, wherever these stand. Bodies without
+   * an inside, which are frames, have no faces. Planes of symmetry and other
+   * sides count as faces.
    */
-  std::optional<Overlap>
-  deepest_inside(const bodies::Structure &body, const bodies::Structure &other);
+  struct Boundary
+  {
+    explicit Boundary(const bodies::Structure &body);
+    /** Segments, whose third node is the second one, or triangles. */
+    using Face = std::array<unsigned int, 3>;
+    std::vector<unsigned int> nodes;
+    std::vector<Face>         faces;
+    bool                      are_segments = false;
+  };
+
+  /** What is inside of a body where it stands. */
+  class Solid
+  {
+  public:
+    /** Both must outlive the object. */
+    Solid(const Boundary &boundary, const bodies::Structure &body);
+
+    /** The node of `other` that is deepest inside; none: there is none. */
+    std::optional<Overlap>
+    deepest_inside(const Solid &other) const;
+
+  private:
+    struct Tree;
+    std::vector<Point<3>>
+    corners(const std::size_t face) const;
+    bool
+    has_inside(const Point<3> &p, const Tree &tree) const;
+    Overlap
+    overlap_at(const Point<3> &p, const Tree &tree) const;
+    const Tree &
+    tree_of_faces() const;
+
+    const Boundary                     &boundary;
+    const bodies::Structure            &body;
+    mutable std::shared_ptr<const Tree> tree; ///< once it is asked for
+  };
 } // namespace conetact::pairing
 
 #endif

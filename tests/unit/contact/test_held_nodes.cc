@@ -28,7 +28,7 @@ namespace
   /** Two blocks with a joint of 4 faces; the left side of the upper one is
    * held. */
   std::unique_ptr<application::Scene>
-  joint(const std::string &pairing)
+  joint(const std::string &pairing, const std::string &law = "")
   {
     return test::make_scene(
       "set Dimension = 2\nset Bodies = low, high\nset Contacts = joint\n"
@@ -37,7 +37,7 @@ namespace
       test::section("Contact joint",
                     "Body = high|Boundary ids = 2|Master body = low|"
                     "Master boundary ids = 3|Pairing = " +
-                      pairing) +
+                      pairing + law) +
       test::section("Support ground", "Body = low|Boundary ids = 2") +
       test::section("Support side", "Body = high|Boundary ids = 0"));
   }
@@ -77,6 +77,21 @@ TEST(HeldNodes, TheirNeighboursTakeTheirShare)
   ASSERT_EQ(taker->slaves.size(), 2u);
   for (const auto &[node, weight] : taker->slaves)
     EXPECT_NEAR(weight, node == taker->node ? 2. / 3 : 1. / 3, 1e-14);
+}
+
+
+
+TEST(HeldNodes, TheirPrestressIsNotLost)
+{
+  const auto scene      = joint("mortar", "|Prestress = 1 + x");
+  double     sum_of_all = 0;
+  for (const pairing::ContactNode &node : scene->bodies.contact_nodes)
+    {
+      const double x = node.position[0];
+      EXPECT_NEAR(node.prestress, x == .5 ? 1. + 1.5 : 1 + x, 1e-14);
+      sum_of_all += node.prestress;
+    }
+  EXPECT_NEAR(sum_of_all, 10, 1e-14); // of 5 nodes
 }
 
 
