@@ -3,9 +3,6 @@
 
 #include "conetact/iterative/block_products.h"
 
-#include <cstdint>
-#include <type_traits>
-
 namespace conetact::iterative
 {
   namespace
@@ -99,17 +96,13 @@ namespace conetact::iterative
                         const typename Columns<3, Number>::Lanes *x,
                         typename Columns<3, Number>::Lanes       &y)
     {
-      using Places =
-        typename std::conditional_t<sizeof(Number) == sizeof(int),
-                                    Wide<int, 16>,
-                                    Wide<std::int64_t, 32>>::Vector;
       const auto low =
-        __builtin_shuffle(a.column[0], a.column[1], Places{0, 4, 1, 5});
+        __builtin_shufflevector(a.column[0], a.column[1], 0, 4, 1, 5);
       const auto high =
-        __builtin_shuffle(a.column[0], a.column[1], Places{2, 6, 3, 7});
-      y = __builtin_shuffle(low, a.column[2], Places{0, 1, 4, 4}) * x[0] +
-          __builtin_shuffle(low, a.column[2], Places{2, 3, 5, 5}) * x[1] +
-          __builtin_shuffle(high, a.column[2], Places{0, 1, 6, 6}) * x[2];
+        __builtin_shufflevector(a.column[0], a.column[1], 2, 6, 3, 7);
+      y = __builtin_shufflevector(low, a.column[2], 0, 1, 4, 4) * x[0] +
+          __builtin_shufflevector(low, a.column[2], 2, 3, 5, 5) * x[1] +
+          __builtin_shufflevector(high, a.column[2], 0, 1, 6, 6) * x[2];
     }
     template <typename Number>
     [[gnu::always_inline]] inline void
@@ -168,21 +161,6 @@ namespace conetact::iterative
     }
 
     template <int n_rows, int n_columns, typename Number>
-    void
-    multiply_plain(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      multiply_all<n_rows, n_columns>(A, x, y);
-    }
-#ifdef __x86_64__
-    template <int n_rows, int n_columns, typename Number>
-    [[gnu::target("avx2,fma")]] void
-    multiply_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      multiply_all<n_rows, n_columns>(A, x, y);
-    }
-#endif
-
-    template <int n_rows, int n_columns, typename Number>
     [[gnu::always_inline]] inline void
     add_transposed(const BlockRows<Number> &A, const Number *x, Number *y)
     {
@@ -227,48 +205,64 @@ namespace conetact::iterative
         }
     }
 
+    // Each product in the vectors that all processors have, and in wider ones.
+#ifdef __x86_64__
+#  define CONETACT_WIDE [[gnu::target("avx2,fma")]]
+#else
+#  define CONETACT_WIDE
+#endif
     template <int n_rows, int n_columns, typename Number>
     void
-    add_transposed_plain(const BlockRows<Number> &A, const Number *x, Number *y)
+    multiply_plain(const BlockRows<Number> &A, const Number *x, Number *y)
     {
-      add_transposed<n_rows, n_columns>(A, x, y);
+      multiply_all<n_rows, n_columns>(A, x, y);
     }
-#ifdef __x86_64__
     template <int n_rows, int n_columns, typename Number>
-    [[gnu::target("avx2,fma")]] void
-    add_transposed_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
+    CONETACT_WIDE void
+    multiply_wide(const BlockRows<Number> &A, const Number *x, Number *y)
     {
-      add_transposed<n_rows, n_columns>(A, x, y);
+      multiply_all<n_rows, n_columns>(A, x, y);
     }
-#endif
     template <int size, typename Number>
     void
     add_upper_plain(const BlockRows<Number> &A, const Number *x, Number *y)
     {
       add_upper<size>(A, x, y);
     }
-#ifdef __x86_64__
     template <int size, typename Number>
-    [[gnu::target("avx2,fma")]] void
-    add_upper_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
+    CONETACT_WIDE void
+    add_upper_wide(const BlockRows<Number> &A, const Number *x, Number *y)
     {
       add_upper<size>(A, x, y);
     }
-#endif
+    template <int n_rows, int n_columns, typename Number>
+    void
+    add_transposed_plain(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_transposed<n_rows, n_columns>(A, x, y);
+    }
+    template <int n_rows, int n_columns, typename Number>
+    CONETACT_WIDE void
+    add_transposed_wide(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      add_transposed<n_rows, n_columns>(A, x, y);
+    }
+#undef CONETACT_WIDE
 
     /**
      * The choice is made as the program runs, as it may have been built on
      * another machine. Fused products round once, not twice: results differ in
      * their last bits between machines.
      */
-    bool
-    has_avx2()
+    template <typename Product>
+    Product *
+    choose(Product *const plain, [[maybe_unused]] Product *const wide)
     {
 #ifdef __x86_64__
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-      return false;
+      if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return wide;
 #endif
+      return plain;
     }
   } // namespace
 
@@ -278,12 +272,10 @@ namespace conetact::iterative
   void
   multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-#ifdef __x86_64__
-    static const bool is_wide = has_avx2();
-    if (is_wide)
-      return multiply_avx2<n_rows, n_columns>(A, x, y);
-#endif
-    multiply_plain<n_rows, n_columns>(A, x, y);
+    static const auto multiply =
+      choose(&multiply_plain<n_rows, n_columns, Number>,
+             &multiply_wide<n_rows, n_columns, Number>);
+    multiply(A, x, y);
   }
 
 
@@ -292,12 +284,9 @@ namespace conetact::iterative
   void
   add_upper_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-#ifdef __x86_64__
-    static const bool is_wide = has_avx2();
-    if (is_wide)
-      return add_upper_avx2<size>(A, x, y);
-#endif
-    add_upper_plain<size>(A, x, y);
+    static const auto add =
+      choose(&add_upper_plain<size, Number>, &add_upper_wide<size, Number>);
+    add(A, x, y);
   }
 
 
@@ -306,12 +295,10 @@ namespace conetact::iterative
   void
   add_transposed_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-#ifdef __x86_64__
-    static const bool is_wide = has_avx2();
-    if (is_wide)
-      return add_transposed_avx2<n_rows, n_columns>(A, x, y);
-#endif
-    add_transposed_plain<n_rows, n_columns>(A, x, y);
+    static const auto add =
+      choose(&add_transposed_plain<n_rows, n_columns, Number>,
+             &add_transposed_wide<n_rows, n_columns, Number>);
+    add(A, x, y);
   }
 
 #define CONETACT_MULTIPLY_ROWS(n_rows, n_columns, Number)                   \

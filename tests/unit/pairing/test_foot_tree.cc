@@ -67,8 +67,10 @@ namespace
         for (std::size_t f = 0; f < net.all().size(); ++f)
           if (is_along_normals(net.all()[f], p) &&
               !net.feature(net.project(f, p), p).empty())
-            EXPECT_TRUE(std::binary_search(found.begin(), found.end(), f))
-              << p << " has a foot on the face at " << net.all()[f].centre;
+            {
+              EXPECT_TRUE(std::binary_search(found.begin(), found.end(), f))
+                << p << " has a foot on the face at " << net.all()[f].centre;
+            }
       }
   }
 } // namespace

@@ -20,8 +20,8 @@ namespace
   class Cloud : public FacesOnly
   {
   public:
-    explicit Cloud(const std::vector<Point<3>> &points)
-      : FacesOnly(points, {}, false)
+    explicit Cloud(const std::vector<Point<3>> &all)
+      : FacesOnly(all, {}, false)
     {}
     bodies::Surface
     surface(const bodies::BoundaryIds &) const override
