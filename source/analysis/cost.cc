@@ -10,13 +10,11 @@
 #include <deal.II/base/exceptions.h>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <set>
@@ -272,12 +270,8 @@ namespace conetact::analysis
     double
     memory_with(const double more)
     {
-      std::ifstream statm("/proc/self/statm");
-      double        pages = 0, resident = 0;
-      if (!(statm >> pages >> resident))
-        return peak_memory() + more;
-      const double now = resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-      return std::max(peak_memory(), now + more);
+      const double now = resident_memory();
+      return std::max(peak_memory(), (now > 0 ? now : peak_memory()) + more);
     }
 
     /** What processes share. In the plane fronts of rows and levels outweigh

@@ -334,6 +334,17 @@ namespace conetact
 
 
   double
+  resident_memory()
+  {
+    std::ifstream statm("/proc/self/statm");
+    double        pages = 0, resident = 0;
+    statm >> pages >> resident;
+    return statm ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.;
+  }
+
+
+
+  double
   machine_memory()
   {
     const double all = std::min(static_cast<double>(sysconf(_SC_PHYS_PAGES)) *

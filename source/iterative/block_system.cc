@@ -11,7 +11,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 
 namespace conetact::iterative
 {

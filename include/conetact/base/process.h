@@ -82,6 +82,10 @@ namespace conetact
   void
   give_back_memory();
 
+  /** That this process has now [bytes]; 0: it is not known. */
+  double
+  resident_memory();
+
   /** What mpirun has told this process: how many there are, and its number. */
   struct Ranks
   {
