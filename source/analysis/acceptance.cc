@@ -99,6 +99,7 @@ namespace conetact::analysis
     , warnings(model, log)
     , small(scene, model)
     , unpaired(scene, model)
+    , joints(scene.contact_names, model)
     , records(scene, model)
   {}
 
@@ -375,6 +376,14 @@ namespace conetact::analysis
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
+    const contact::KeptByLaws kept = kept_by_laws(increment, model.points);
+    if (const std::string why =
+          joints.parted({accepted_displacements(), accepted_time()},
+                        {*finding.u, record.time},
+                        increment.state.node,
+                        kept.whole);
+        !why.empty())
+      return why;
     if (const std::string why = unpaired.overlap(*finding.u); !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
@@ -405,7 +414,7 @@ namespace conetact::analysis
                                     finding.u,
                                     record.time,
                                     record.report.substeps <= 1,
-                                    kept_by_laws(increment, model.points));
+                                    kept);
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),

@@ -11,6 +11,7 @@
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_rows.h"
+#include "conetact/contact/held_joints.h"
 #include "conetact/verification/energies.h"
 #include "conetact/verification/verification.h"
 
@@ -159,6 +160,7 @@ namespace conetact::analysis
     Warnings                            warnings;
     SmallKinematics                     small;
     UnpairedBodies                      unpaired;
+    contact::HeldJoints                 joints;
     RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
     std::vector<double> held_depths; ///< of all nodes, or none [length]
