@@ -355,6 +355,31 @@ namespace conetact::analysis
     return any;
   }
 
+  /* The law holds for the contacts as they were linearised. This asks whether
+     those are still the right ones. */
+  std::string
+  Acceptance::outdated(const PendingIncrement      &increment,
+                       const verification::Finding &finding,
+                       const Eigen::VectorXd       &w,
+                       const contact::KeptByLaws   &kept)
+  {
+    if (const std::string why =
+          leave_small({increment, finding, w, amounts(increment)});
+        !why.empty())
+      return why;
+    if (const std::string why = wrong_at_supports(increment, finding);
+        !why.empty())
+      return why;
+    if (const std::string why =
+          joints.parted({accepted_displacements(), accepted_time()},
+                        {*finding.u, increment.record.time},
+                        increment.state.node,
+                        kept.whole);
+        !why.empty())
+      return why;
+    return unpaired.overlap(*finding.u);
+  }
+
   std::string
   Acceptance::complete(PendingIncrement            &increment,
                        const verification::Finding &finding,
@@ -367,24 +392,9 @@ namespace conetact::analysis
     records.add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
-    // The law holds for the contacts as they were linearised. What follows asks
-    // whether those are still the right ones.
-    if (const std::string why =
-          leave_small({increment, finding, w, amounts(increment)});
-        !why.empty())
-      return why;
-    if (const std::string why = wrong_at_supports(increment, finding);
-        !why.empty())
-      return why;
     const contact::KeptByLaws kept = kept_by_laws(increment, model.points);
-    if (const std::string why =
-          joints.parted({accepted_displacements(), accepted_time()},
-                        {*finding.u, record.time},
-                        increment.state.node,
-                        kept.whole);
+    if (const std::string why = outdated(increment, finding, w, kept);
         !why.empty())
-      return why;
-    if (const std::string why = unpaired.overlap(*finding.u); !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
     energies.add(share(),

@@ -149,6 +149,11 @@ namespace conetact::analysis
              const Eigen::VectorXd      &u,
              const double                t) const;
     std::string
+    outdated(const PendingIncrement      &increment,
+             const verification::Finding &finding,
+             const Eigen::VectorXd       &w,
+             const contact::KeptByLaws   &kept);
+    std::string
     wrong_at_supports(const PendingIncrement      &increment,
                       const verification::Finding &finding) const;
 
