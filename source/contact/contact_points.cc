@@ -176,8 +176,11 @@ namespace conetact::contact
     points.clear();
     const std::string why = add_all(times);
     bool same             = why.empty() && contact_layout.first == before.first;
+    // A constant coefficient is another along one tangent of an ellipse only.
     for (std::size_t i = 0; i < n_candidates && same; ++i)
-      if (const auto k = static_cast<Eigen::Index>(i); points[i].node->friction)
+      if (const auto k = static_cast<Eigen::Index>(i);
+          points[i].node->friction || points[i].dual.size() == bodies.dim ||
+          points[i].node->mu_1 == points[i].node->mu_2)
         contact_layout.mu[k] = points[i].mu = before.mu[k];
       else
         same = contact_layout.mu[k] == before.mu[k];

@@ -97,7 +97,22 @@ def off(laws):
                         len(forces) == 3 and forces[0] > 0 and forces[1:] == [0, 0])
 
 
+def beside(laws):
+    """A block slides far while another contact is on and off: its own coefficient stays what it is."""
+    for mu in (.6, .7, .1):
+        scene = {"Dimension": 2, "Body block": box((8, 2), (2.0, 1.0)), "Obstacle floor": floor(2),
+                 "Obstacle wall": {"Shape": "half space", "Normal": (1, 0)},
+                 "Contact bottom": contact(ids=2, mu=mu, Kinematics="finite sliding"),
+                 "Contact side": contact(ids=0, obstacle="wall", mu=.6, Active="t < 1.5", Kinematics="finite sliding"),
+                 "Support top": support(3, "x, y", "0.03*t ; -0.0013*t"),
+                 "Time": {"Times": "1, 2, 3, 4, 5, 6"}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        laws.demand(f"beside a contact that ends, mu = {mu}: all increments", len(run.increments) == 6)
+        laws.admissible("  friction", run, lambda row: mu if row["contact"] == "bottom" else .6)
+
+
 def held_joints(laws):
+    beside(laws)
     joined(laws)
     bilateral(laws)
     source(laws)
