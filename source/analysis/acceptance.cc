@@ -99,6 +99,7 @@ namespace conetact::analysis
     , warnings(model, log)
     , small(scene, model)
     , unpaired(scene, model)
+    , joints(scene.contact_names, model)
     , records(scene, model)
   {}
 
@@ -354,6 +355,31 @@ namespace conetact::analysis
     return any;
   }
 
+  /* The law holds for the contacts as they were linearised. This asks whether
+     those are still the right ones. */
+  std::string
+  Acceptance::outdated(const PendingIncrement      &increment,
+                       const verification::Finding &finding,
+                       const Eigen::VectorXd       &w,
+                       const contact::KeptByLaws   &kept)
+  {
+    if (const std::string why =
+          leave_small({increment, finding, w, amounts(increment)});
+        !why.empty())
+      return why;
+    if (const std::string why = wrong_at_supports(increment, finding);
+        !why.empty())
+      return why;
+    if (const std::string why =
+          joints.parted({accepted_displacements(), accepted_time()},
+                        {*finding.u, increment.record.time},
+                        increment.state.node,
+                        kept.whole);
+        !why.empty())
+      return why;
+    return unpaired.overlap(*finding.u);
+  }
+
   std::string
   Acceptance::complete(PendingIncrement            &increment,
                        const verification::Finding &finding,
@@ -366,16 +392,9 @@ namespace conetact::analysis
     records.add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
-    // The law holds for the contacts as they were linearised. What follows asks
-    // whether those are still the right ones.
-    if (const std::string why =
-          leave_small({increment, finding, w, amounts(increment)});
+    const contact::KeptByLaws kept = kept_by_laws(increment, model.points);
+    if (const std::string why = outdated(increment, finding, w, kept);
         !why.empty())
-      return why;
-    if (const std::string why = wrong_at_supports(increment, finding);
-        !why.empty())
-      return why;
-    if (const std::string why = unpaired.overlap(*finding.u); !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
     energies.add(share(),
@@ -405,7 +424,7 @@ namespace conetact::analysis
                                     finding.u,
                                     record.time,
                                     record.report.substeps <= 1,
-                                    kept_by_laws(increment, model.points));
+                                    kept);
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),

@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/between_nodes.h"
 
+#include "conetact/analysis/contact_passages.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
 
@@ -107,7 +108,7 @@ namespace conetact::analysis
       return model.displacement(u, b, i);
     };
     const std::string why = obstacle_comes_between(at, t);
-    return why.empty() ? master_comes_between(at) : why;
+    return why.empty() ? master_comes_between(at, t) : why;
   }
 
   std::string
@@ -131,7 +132,7 @@ namespace conetact::analysis
         double                      size = 0;
         for (const unsigned int i : face.corners)
           size = std::max(size, node.position.distance(body.position(i)));
-        if (gap_of(node) > size)
+        if (!node.is_active(t) || gap_of(node) > size)
           continue;
         const double gap = lowest_gap(face, at, size, t);
         // what a layer closes by is no depth, and neither is what has worn
@@ -169,7 +170,8 @@ namespace conetact::analysis
      last. */
   std::string
   BetweenNodes::master_comes_between(
-    const pairing::SlidingContacts::Displacement &at)
+    const pairing::SlidingContacts::Displacement &at,
+    const double                                  t)
   {
     constexpr double without_masters = std::numeric_limits<double>::max();
     if (clearance == without_masters)
@@ -187,7 +189,7 @@ namespace conetact::analysis
     if (!found.deep)
       return "";
     const pairing::Contact &contact = contacts.contact(found.deep->contact);
-    if (contact.layer)
+    if (contact.layer || !is_active(contact, t))
       return "";
     return "contact '" + contact.name +
            "': " + model.bodies.called(contact.master) + " is " +

@@ -52,7 +52,7 @@ namespace conetact::analysis
       throw InputError(in + "in space slips have any direction, and solutions "
                             "are no finite number of linear problems. Choose "
                             "automatic.");
-    if (run.model.motions.n_free() > 0)
+    if (!run.model.motions.loose().empty())
       throw InputError(in + "bodies must be held by supports or foundations, "
                             "and one of these is not. Add a Support, or "
                             "choose automatic.");

@@ -153,7 +153,7 @@ namespace conetact::analysis
     if (!why.empty())
       return why;
     inside = start.inside;
-    return body_passes(ways, u, may_be_cut, inside);
+    return body_passes(ways, u, t, may_be_cut, inside);
   }
 
   std::string
@@ -165,7 +165,7 @@ namespace conetact::analysis
     for (const pairing::ContactNode &node : model.points.nodes())
       {
         if (!node.slides || node.obstacle == nullptr || node.is_bound() ||
-            (node.layer && node.layer->wears()))
+            !node.is_active(to) || (node.layer && node.layer->wears()))
           continue;
         const auto at = [&](const double part) {
           return contacts.find_on_obstacle(
@@ -189,6 +189,7 @@ namespace conetact::analysis
   std::string
   ContactPassages::body_passes(const Ways                        &ways,
                                const Eigen::VectorXd             &u,
+                               const double                       t,
                                const bool                         may_be_cut,
                                pairing::SlidingContacts::Entries &inside) const
   {
@@ -207,8 +208,10 @@ namespace conetact::analysis
           node.gap + node.n * contact::difference_of_sides(node, displacement)};
     for (const auto &passage : passages)
       {
-        if (contacts.contact(passage.contact).layer)
-          continue; // what closes or wears is inside by that
+        const pairing::Contact &contact = contacts.contact(passage.contact);
+        // What closes or wears is inside by that.
+        if (contact.layer || !is_active(contact, t))
+          continue;
         const auto found = passage.is_slave ?
                              held.find({passage.contact, passage.node}) :
                              held.end();
@@ -229,7 +232,8 @@ namespace conetact::analysis
      it deep inside, but it is told to stand before others or none. */
   std::string
   ContactPassages::lose_masters(const ContactStart    &start,
-                                const Eigen::VectorXd &u) const
+                                const Eigen::VectorXd &u,
+                                const double           t) const
   {
     constexpr double same_side = .5, deep = .1; // cosine; of a cell
     const auto       at = [&](const unsigned int body, const unsigned int i) {
@@ -240,7 +244,7 @@ namespace conetact::analysis
       {
         const pairing::ContactNode &then = start.nodes[i], &now = end[i];
         if (!now.slides || now.is_bound() || now.obstacle != nullptr ||
-            then.masters.empty())
+            then.masters.empty() || !now.is_active(t))
           continue;
         const double depth =
           -then.gap - then.n * contact::difference_of_sides(then, at);

@@ -34,9 +34,9 @@ namespace conetact::analysis
   }
 
   std::string
-  ContactSearch::loses_masters(const Eigen::VectorXd &u) const
+  ContactSearch::loses_masters(const Eigen::VectorXd &u, const double t) const
   {
-    return passages.lose_masters(start, u);
+    return passages.lose_masters(start, u, t);
   }
 
   ContactSearch::Found

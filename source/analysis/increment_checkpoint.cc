@@ -113,9 +113,8 @@ namespace conetact::analysis
   void
   IncrementAnalysis::restore_state()
   {
-    Archive    archive = scene.restart->state;
-    const bool is_other =
-      scene.stages.may_change() && take_to_layout(model, archive);
+    Archive    archive  = scene.restart->state;
+    const bool is_other = take_to_layout(model, archive);
     check_checkpoint(archive, model, scene.support_names);
     double one = 0;
     archive.fill("one by one", one);

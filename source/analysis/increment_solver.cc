@@ -142,11 +142,15 @@ namespace conetact::analysis
   PendingIncrement
   IncrementSolver::start(const unsigned int k, const double t)
   {
+    model::IncrementRecord record;
+    record.increment = k;
+    record.time      = t;
     if (search.is_needed())
-      must_take(search.guess(t));
+      if (const std::string why = take(search.guess(t)); !why.empty())
+        throw AnalysisError(run.increment_name(record) + " (t = " + to_text(t) +
+                            "): " + why + (why.back() == '.' ? "" : "."));
     PendingIncrement increment{run.history, run.history};
-    increment.record.increment = k;
-    increment.record.time      = t;
+    increment.record = std::move(record);
     run.apply_loads(increment);
     return increment;
   }

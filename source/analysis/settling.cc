@@ -127,7 +127,9 @@ namespace conetact::analysis
                        run.scene.times[record.increment - 1]);
     const std::string why =
       solver.search.passes_through(u, record.time, may_be_cut);
-    return {why.empty() && may_be_cut ? solver.search.loses_masters(u) : why,
+    return {why.empty() && may_be_cut ?
+              solver.search.loses_masters(u, record.time) :
+              why,
             false,
             true};
   }

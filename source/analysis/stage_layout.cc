@@ -399,7 +399,10 @@ namespace conetact::analysis
   take_to_layout(const contact::ContactModel &model, Archive &archive)
   {
     const Numbers now = layout_of(model.points);
-    if (!archive.has(layout_name) || archive.get(layout_name) == now)
+    // Of other meshes the checkpoint is refused by its sizes.
+    if (!archive.has(layout_name) || archive.get(layout_name) == now ||
+        archive.get("energies/u").size() !=
+          static_cast<std::size_t>(model.coordinates.n_dofs()))
       return false;
     const double    t = archive.get("contact/time").at(0);
     Translation     translation(model, t, archive);

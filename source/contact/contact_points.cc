@@ -176,19 +176,35 @@ namespace conetact::contact
     points.clear();
     const std::string why = add_all(times);
     bool same             = why.empty() && contact_layout.first == before.first;
+    // A constant coefficient is another along one tangent of an ellipse only.
     for (std::size_t i = 0; i < n_candidates && same; ++i)
-      if (const auto k = static_cast<Eigen::Index>(i); points[i].node->friction)
+      if (const auto k = static_cast<Eigen::Index>(i);
+          points[i].node->friction || points[i].dual.size() == bodies.dim ||
+          points[i].node->mu_1 == points[i].node->mu_2)
         contact_layout.mu[k] = points[i].mu = before.mu[k];
       else
         same = contact_layout.mu[k] == before.mu[k];
     if (same)
       return {};
-    contact_layout = before; // what is taken next must fit it, too
-    return !why.empty() ?
-             why :
-             "A contact node that supports hold slides to where they hold "
-             "it in another way: along its contact normal, or no longer. "
-             "Take the nodes that supports hold out of the contact";
+    const std::vector<Eigen::Index> now =
+      std::exchange(contact_layout, before).first; // what comes next must fit
+    if (!why.empty())
+      return why;
+    const auto other = std::mismatch(now.begin(),
+                                     now.end(),
+                                     before.first.begin(),
+                                     before.first.end())
+                         .first;
+    const auto        k  = static_cast<std::size_t>(other - now.begin());
+    const std::string at = k > 0 && k <= n_candidates ?
+                             " near " + to_text(points[k - 1].node->position) +
+                               " of " +
+                               bodies.called(points[k - 1].node->body) :
+                             "";
+    return "A contact node" + at +
+           " slides to where supports, ties or its law leave it other "
+           "directions than where it came from. Take the nodes that supports "
+           "or ties hold out of the contact, or set its Kinematics to small";
   }
 
 

@@ -25,6 +25,44 @@ namespace conetact::contact
       return contacts;
     }
 
+    /** Nodes at the source that supports hold are no candidates and carry no
+     * fluid: it comes to the candidates next to them. */
+    std::set<std::size_t>
+    beside_held_sources(const pairing::FluidLaw      &fluid,
+                        const bodies::Structure      &structure,
+                        const Candidates             &candidates,
+                        const std::set<unsigned int> &held)
+    {
+      std::set<unsigned int> starts;
+      if (!fluid.source().empty())
+        for (const bodies::SurfaceNode &node :
+             structure.surface(fluid.source()).nodes)
+          if (held.count(node.node) > 0 && candidates.count(node.node) == 0)
+            starts.insert(node.node);
+      std::set<std::size_t> found;
+      if (!starts.empty())
+        for (const auto &face : structure.surface(fluid.surface()).faces)
+          if (std::any_of(face.nodes.begin(),
+                          face.nodes.end(),
+                          [&](const unsigned int i) {
+                            return starts.count(i) > 0;
+                          }))
+            for (const unsigned int i : face.nodes)
+              if (const auto at = candidates.find(i); at != candidates.end())
+                found.insert(at->second);
+      return found;
+    }
+
+    std::set<unsigned int>
+    held_nodes_of(const model::Bodies &bodies, const unsigned int body)
+    {
+      std::set<unsigned int> nodes;
+      for (const auto &[key, directions] : supported_nodes(bodies))
+        if (key.first == body)
+          nodes.insert(key.second);
+      return nodes;
+    }
+
     std::set<std::size_t>
     on(const bodies::Structure   &structure,
        const bodies::BoundaryIds &ids,
@@ -96,7 +134,9 @@ namespace conetact::contact
             for (const unsigned int b : face.nodes)
               if (a != b && candidates.count(a) > 0 && candidates.count(b) > 0)
                 neighbours[candidates.at(a)].push_back(candidates.at(b));
-        const auto starts = sources_of(fluid, structure, candidates, points);
+        auto starts = sources_of(fluid, structure, candidates, points);
+        starts.merge(beside_held_sources(
+          fluid, structure, candidates, held_nodes_of(bodies, node.body)));
         sources.insert(sources.end(), starts.begin(), starts.end());
         // An edge of the contact belongs to other boundaries as well. One that
         // a source wets or a support holds, such as a plane of symmetry, is

@@ -5,6 +5,9 @@
 
 #include "conetact/base/text.h"
 #include "conetact/contact/bound_nodes.h"
+#include "conetact/contact/held_joints.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <map>
@@ -123,9 +126,11 @@ namespace conetact::contact
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      // Ties give up no node: which of its rows a support implies is found
-      // where they are eliminated (BoundUnknowns).
-      if (held[i] && nodes[i].is_mean && !nodes[i].is_tied())
+      // What is bound gives up no node: which of its rows a support implies is
+      // found where they are eliminated (BoundUnknowns). What is joined must
+      // not part anywhere, and its mean with a neighbour could.
+      if (held[i] && nodes[i].is_mean && !nodes[i].is_bound() &&
+          !nodes[i].may_part() && !nodes[i].bond)
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&
               nodes[j].n * nodes[i].n > cosine_of_side &&
@@ -143,5 +148,148 @@ namespace conetact::contact
       if (takers[i] == none)
         left.push_back(std::move(nodes[i]));
     nodes = std::move(left);
+  }
+
+  namespace
+  {
+    /** Over the spacing of nodes and the largest displacement: sides that part
+     * by less do so by rounding. */
+    constexpr double least_parting = 1e-6;
+
+    std::size_t
+    nearest_candidate(const pairing::ContactNode &node,
+                      const ContactPoints        &points)
+    {
+      std::size_t nearest = points.size();
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].node->contact == node.contact &&
+            (nearest == points.size() ||
+             points[i].node->position.distance(node.position) <
+               points[nearest].node->position.distance(node.position)))
+          nearest = i;
+      return nearest;
+    }
+
+    bool
+    is_soft(const pairing::ContactNode &node)
+    {
+      return node.layer && node.layer->is_soft();
+    }
+  } // namespace
+
+  HeldJoints::HeldJoints(const std::vector<std::string> &n,
+                         const ContactModel             &m)
+    : names(n)
+    , model(m)
+  {
+    const auto        &nodes = model.points.nodes();
+    std::vector<bool>  has_all(nodes.size(), false), has_rows(nodes.size());
+    const unsigned int dim = model.bodies.dim;
+    for (const ContactPoint &point : model.points.all())
+      {
+        const auto i = static_cast<std::size_t>(point.node - nodes.data());
+        has_rows[i]  = true;
+        has_all[i]   = point.dual.size() == dim;
+      }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i].may_part() && !has_all[i] && !is_soft(nodes[i]))
+        ties.push_back(i);
+      else if (nodes[i].bond && !has_rows[i])
+        if (const std::size_t near = nearest_candidate(nodes[i], model.points);
+            near < model.points.size())
+          bonds.emplace_back(i, near);
+  }
+
+  Tensor<1, 3>
+  HeldJoints::relative(const pairing::ContactNode &node,
+                       const DisplacedAt          &at) const
+  {
+    if (at.u.size() == 0)
+      return {};
+    return relative_displacement(
+      node,
+      [&](const unsigned int body, const unsigned int i) {
+        return model.displacement(at.u, body, i);
+      },
+      at.t);
+  }
+
+  /* Its sides stay as the increment finds them. */
+  double
+  HeldJoints::parted_tie(const pairing::ContactNode &node,
+                         const DisplacedAt          &start,
+                         const DisplacedAt          &end) const
+  {
+    return node.is_active(end.t) ?
+             (relative(node, end) - relative(node, start)).norm() :
+             0.;
+  }
+
+  /* Whatever was open at the start has no bond. */
+  double
+  HeldJoints::parted_bond(const pairing::ContactNode &node,
+                          const DisplacedAt          &start,
+                          const DisplacedAt          &end,
+                          const bool                  sticks) const
+  {
+    if (!node.is_active(end.t) || node.gap > node.least_opening())
+      return 0;
+    pairing::Situation at;
+    at.position              = node.position;
+    at.t                     = end.t;
+    const Tensor<1, 3> now   = relative(node, end);
+    const Tensor<1, 3> moved = now - relative(node, start);
+    double             way   = 0;
+    if (node.bond->strength(at) > 0)
+      way = std::max(node.gap + now * node.n, 0.);
+    if (node.bond->cohesion(at) > 0 && sticks)
+      way = std::max(way, (moved - (moved * node.n) * node.n).norm());
+    return way;
+  }
+
+  std::string
+  HeldJoints::sentence(const pairing::ContactNode &node, const double way) const
+  {
+    const NodeRule *const rule = model.rules.find(node.body, node.node);
+    const std::string     by =
+      rule != nullptr && !rule->held.empty() ?
+            "support '" +
+          model.bodies.supports[rule->held.back().terms.front().support].name +
+          "'" :
+            "another contact";
+    return "contact '" + names[node.contact] + "': " + by +
+           " holds the contact node at " + to_text(node.position) +
+           " of body '" + model.bodies.names[node.body] + "', where the " +
+           (node.bond ? "bond" : "tie") +
+           " does not act then, and its sides part there by " + to_text(way) +
+           ". Exchange slave and master (Body and Master body), or take the "
+           "node out of the support or of the contact";
+  }
+
+  std::string
+  HeldJoints::parted(const DisplacedAt                     &start,
+                     const DisplacedAt                     &end,
+                     const std::vector<solvers::NodeState> &states,
+                     const std::vector<bool>               &whole) const
+  {
+    using solvers::NodeState;
+    AssertDimension(states.size(), model.points.size());
+    const auto  &nodes    = model.points.nodes();
+    const double moved    = solvers::largest(end.u);
+    const auto   is_apart = [&](const pairing::ContactNode &node,
+                              const double                way) {
+      return way > least_parting * std::min(node.spacing, moved);
+    };
+    for (const std::size_t i : ties)
+      if (const double way = parted_tie(nodes[i], start, end);
+          is_apart(nodes[i], way))
+        return sentence(nodes[i], way);
+    for (const auto &[i, near] : bonds)
+      if (states[near] != NodeState::open && near < whole.size() && whole[near])
+        if (const double way = parted_bond(
+              nodes[i], start, end, states[near] == NodeState::stick);
+            is_apart(nodes[i], way))
+          return sentence(nodes[i], way);
+    return "";
   }
 } // namespace conetact::contact

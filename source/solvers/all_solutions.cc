@@ -4,6 +4,7 @@
 #include "conetact/solvers/all_solutions.h"
 
 #include "conetact/solvers/lcp.h"
+#include "conetact/solvers/stiffness_form.h"
 
 #include <Eigen/Dense>
 
@@ -401,6 +402,21 @@ namespace conetact::solvers
       const std::size_t     most;
       AllSolutions          result;
     };
+
+    /** Whether foundations resist all motions, if there are any. */
+    bool
+    are_motions_resisted(const ContactSystem &system)
+    {
+      constexpr double least = 1e-12; // of the largest stiffness
+      const Index      k     = system.n_motions;
+      if (k == 0)
+        return true;
+      const VectorXd stiffness =
+        Eigen::SelfAdjointEigenSolver<MatrixXd>(
+          system.matrix.bottomRightCorner(k, k), Eigen::EigenvaluesOnly)
+          .eigenvalues();
+      return stiffness[0] > least * stiffness[k - 1];
+    }
   } // namespace
 
   bool
@@ -408,8 +424,8 @@ namespace conetact::solvers
   {
     constexpr Index      most   = 100; // unknowns
     const ContactSystem &system = *problem.system;
-    if (system.large || system.n_motions > 0 || problem.laws ||
-        system.n_unknowns() > most || system.null_space.cols() > 0)
+    if (system.large || problem.laws || system.n_unknowns() > most ||
+        system.null_space.cols() > 0 || !are_motions_resisted(system))
       return false;
     for (Index i = 0; i < system.n_nodes(); ++i)
       if (system.n_tangents(i) > 1)
@@ -423,7 +439,17 @@ namespace conetact::solvers
                      const std::size_t     most)
   {
     eigen_assert(tolerance > 0);
-    eigen_assert(problem.system->n_motions == 0);
-    return Search(problem, tolerance, most).run();
+    if (problem.system->n_motions == 0)
+      return Search(problem, tolerance, most).run();
+    // Foundations resist the motions, which follow from the reactions.
+    eigen_assert(are_motions_resisted(*problem.system));
+    const StiffnessForm without_motions(problem.system);
+    if (!without_motions.exists())
+      return {{}, 0, "contacts are redundant"};
+    const ContactProblem held = without_motions.eliminate(problem);
+    AllSolutions         all  = Search(held, tolerance, most).run();
+    for (ContactState &one : all.found)
+      one = without_motions.expand(problem, std::move(one));
+    return all;
   }
 } // namespace conetact::solvers

@@ -5,6 +5,7 @@
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/all_solutions.h"
+#include "conetact/solvers/stiffness_form.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +23,21 @@ namespace conetact::solvers
 
     constexpr double infinite = std::numeric_limits<double>::infinity();
 
-    /** K, or the inverse of W; empty where there is none. */
+    /** K, or the inverse of W, which foundations that resist all motions of a
+     * body add to; empty where there is none. */
     MatrixXd
-    definite_stiffness(const ContactSystem &system)
+    definite_stiffness(const std::shared_ptr<const ContactSystem> &given)
     {
       constexpr double least = 1e-10; // of the largest pivot
-      if (system.large || system.n_motions > 0 || system.n_unknowns() == 0 ||
-          system.n_unknowns() > UniquenessCheck::most)
+      if (given->large || given->n_contact_unknowns() == 0 ||
+          given->n_unknowns() > UniquenessCheck::most)
         return {};
+      auto kept = given;
+      if (given->n_motions > 0)
+        kept = StiffnessForm(given).system();
+      if (!kept)
+        return {};
+      const ContactSystem        &system = *kept;
       const Eigen::LDLT<MatrixXd> factor(system.matrix);
       const VectorXd              pivots = factor.vectorD();
       if (factor.info() != Eigen::Success ||
@@ -117,7 +125,7 @@ namespace conetact::solvers
 
   UniquenessCheck::UniquenessCheck(std::shared_ptr<const ContactSystem> s)
     : system(std::move(s))
-    , K(definite_stiffness(*system))
+    , K(definite_stiffness(system))
   {
     eigen_assert(system->mu.size() == system->n_nodes());
     if (system->mu.size() == 0 || system->mu.maxCoeff() <= 0)

@@ -198,6 +198,26 @@ def with_other_loads(laws):
     laws.check("energies balance across the change", work / size, 1e-9)
 
 
+def with_a_support_let_go(laws):
+    """A support that holds nodes of the contact is taken away, or comes: as by its Active in one run."""
+    for dim in (2, 3):
+        for active, before, after in (("t < 1.5", True, False), ("t > 1.5", False, True)):
+            bottom, top = (2, 3) if dim == 2 else (4, 5)
+            axes = ", ".join("xyz"[:dim])
+            scene = {"Dimension": dim, "Body block": box((4,) + (2,) * (dim - 1), (2.0,) + (1.0,) * (dim - 1)), "Obstacle floor": floor(dim),
+                     "Contact bottom": contact(ids=bottom, mu=.3), "Support side": support(0, axes), "Support top": support(top, axes, Stiffness=100),
+                     "Load press": load("pressure", "5*t", top), "Time": {"Times": "1, 2, 3"}, "Output": {"VTU": 0}}
+            whole = laws.run(merge(scene, {"Support side": {"Active": active}}))
+            parts = [scene if here else merge(scene, {"Support side": None}) for here in (before, after)]
+            one, folder = laws.start(merge(parts[0], {"Output": {"Checkpoint": 1}, "Time": {"Times": "1"}}))
+            laws.demand(f"{dim}D, {active}: the first part is done", one.returncode == 0)
+            file = laws.folder / f"let-go-{dim}-{after}.prm"
+            write_scene(parts[1], file)
+            if go_on(laws, file, folder):
+                run = Run(folder)
+                laws.same(f"{dim}D, side with Active = {active}: in two parts", whole, run)
+
+
 def by_the_other_backend(laws):
     """A state is that of either backend."""
     far = far_kinds()
@@ -221,6 +241,7 @@ def restart(laws):
     after_a_kill(laws)
     killed_far(laws)
     with_other_loads(laws)
+    with_a_support_let_go(laws)
     by_the_other_backend(laws)
     refusals(laws)
 

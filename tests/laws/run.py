@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings,  # noqa: E402
+from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings,  # noqa: E402
                   round_pairs, sliding, stages,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
@@ -26,7 +26,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "supports": supports.supports, "loads": loads.loads, "load-sums": load_sums.load_sums, "stages": stages.stages, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "processes-four": processes.four, "processes-seven": processes.seven, "pieces": pieces.pieces, "kill": kill.kill, "interrupt": interrupt.interrupt, "couplings": couplings.couplings,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "axisymmetric-sliding": axisymmetric_sliding.axisymmetric_sliding,
-            "gmsh": gmsh.gmsh,
+            "gmsh": gmsh.gmsh, "held-joints": held_joints.held_joints,
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
             "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating,
             "iterative-frames": iterative.iterative_frames, "iterative-sliding": iterative_sliding.iterative_sliding, "restart": restart.restart,

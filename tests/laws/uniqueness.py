@@ -133,6 +133,24 @@ def triangle(mu, angle):
             "Time": {"Increments": 1}, "Solver": {"Method": "all solutions"}, "Output": {"VTU": 0}}
 
 
+def on_foundations(laws):
+    """A foundation holds a body as a support does, the more so the stiffer it is: as many solutions, and the same verdicts."""
+    for mu, verdict in ((2.9, "yes"), (3.1, "no")):
+        rigid = triangle(mu, 2.382)
+        stiff = merge(rigid, {"Support wall": {"Stiffness": 1e6}})
+        tables = [read(laws.run(scene).folder / "solutions.csv") for scene in (rigid, stiff)]
+        counts = [len({row["branch"] for row in table}) for table in tables]
+        laws.demand(f"on a foundation, mu = {mu}: solutions {counts}", counts[0] == counts[1])
+        free = {row["node"] for row in tables[0]}  # the corner that the rigid support holds has no row
+        rows = [sorted((row["node"], row["r_n"], row["r_t1"]) for row in table if row["node"] in free) for table in tables]
+        laws.check("  and these are the same, of a load of 1", max(math.dist(a, b) for a, b in zip(*rows)), 1e-4)
+        asked = merge(stiff, {"Solver": {"Method": "automatic"}, "Output": {"Uniqueness": "yes"}})
+        laws.demand(f"  Output/Uniqueness: {verdict}", laws.run(asked).increments[-1]["unique"] == verdict)
+    weak = merge(triangle(2.9, 2.382), {"Support wall": {"Directions": "x", "Stiffness": 1.0}})
+    done, _ = laws.start(weak)
+    laws.demand(f"a body that a foundation leaves a motion: {done.stderr.strip()}", done.returncode == 1 and "and one of these is not" in done.stderr)
+
+
 def elastic_body(laws):
     """An elastic body in place of a bar, after P. Hild (C. R. Acad. Sci. Paris I 337, 2003, 685) and V. Rey (C. R. Mecanique 354, 2026,
     461), who has several solutions beyond mu = 3. The numbers of their bodies were not at hand: this is a triangle of that kind, which on
@@ -160,5 +178,6 @@ def elastic_body(laws):
 def uniqueness(laws):
     every_solution(laws)
     elastic_body(laws)
+    on_foundations(laws)
     single_node(laws)
     blocks(laws)

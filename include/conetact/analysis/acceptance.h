@@ -11,6 +11,7 @@
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_rows.h"
+#include "conetact/contact/held_joints.h"
 #include "conetact/verification/energies.h"
 #include "conetact/verification/verification.h"
 
@@ -148,6 +149,11 @@ namespace conetact::analysis
              const Eigen::VectorXd      &u,
              const double                t) const;
     std::string
+    outdated(const PendingIncrement      &increment,
+             const verification::Finding &finding,
+             const Eigen::VectorXd       &w,
+             const contact::KeptByLaws   &kept);
+    std::string
     wrong_at_supports(const PendingIncrement      &increment,
                       const verification::Finding &finding) const;
 
@@ -159,6 +165,7 @@ namespace conetact::analysis
     Warnings                            warnings;
     SmallKinematics                     small;
     UnpairedBodies                      unpaired;
+    contact::HeldJoints                 joints;
     RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
     std::vector<double> held_depths; ///< of all nodes, or none [length]

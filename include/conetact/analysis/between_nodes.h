@@ -51,7 +51,8 @@ namespace conetact::analysis
     double
     approach(const Places &from, const Places &to) const;
     std::string
-    master_comes_between(const pairing::SlidingContacts::Displacement &at);
+    master_comes_between(const pairing::SlidingContacts::Displacement &at,
+                         const double                                  t);
 
     const pairing::SlidingContacts &contacts;
     const contact::ContactModel    &model;

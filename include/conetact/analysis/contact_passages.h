@@ -22,6 +22,13 @@ namespace conetact::analysis
     pairing::SlidingContacts::Entries inside; ///< nodes in other bodies
   };
 
+  /** Whether both sides of a contact see each other at time t. */
+  inline bool
+  is_active(const pairing::Contact &contact, const double t)
+  {
+    return !contact.active || (*contact.active)(Point<3>(), t) != 0;
+  }
+
   /** Looks at the way from the start of an increment to its end, on which
    * bodies and obstacles may pass through each other. */
   class ContactPassages
@@ -45,7 +52,9 @@ namespace conetact::analysis
                  pairing::SlidingContacts::Entries &inside) const;
     /** The same of bodies: whether a node has passed the faces that it met. */
     std::string
-    lose_masters(const ContactStart &start, const Eigen::VectorXd &u) const;
+    lose_masters(const ContactStart    &start,
+                 const Eigen::VectorXd &u,
+                 const double           t) const;
 
   private:
     using Ways = std::vector<pairing::BodyWay>;
@@ -59,6 +68,7 @@ namespace conetact::analysis
     std::string
     body_passes(const Ways                        &ways,
                 const Eigen::VectorXd             &u,
+                const double                       t,
                 const bool                         may_be_cut,
                 pairing::SlidingContacts::Entries &inside) const;
 

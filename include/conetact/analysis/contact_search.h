@@ -47,7 +47,7 @@ namespace conetact::analysis
                    const double           t,
                    const bool             may_be_cut);
     std::string
-    loses_masters(const Eigen::VectorXd &u) const;
+    loses_masters(const Eigen::VectorXd &u, const double t) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
     using Found = pairing::SlidingContacts::Found;
