@@ -239,7 +239,26 @@ def pushed(laws):
                                                 for one, two in zip(none.last(), little.last())), 1e-7)
 
 
+def way_of_slip(laws):
+    """What goes along while its bond opens does not slip in contact: friction that falls with s begins at s = 0."""
+    for dim in (2, 3):
+        for lost, length in (("slip", LENGTH), ("opening", LENGTH), ("slip", None)):
+            law = {"Tensile strength": T, "Cohesion": 1, "Cohesion lost": lost, **({"Softening length": length} if length else {})}
+            scene = glued(dim, "0", "1, 2, 3", **law)
+            scene["Contact bottom"]["Friction coefficient"] = "table(s; 0 : 0.5; 0.004 : 0.2)"
+            del scene["Support side"]
+            up = "table(t; 0 : 0; 1 : 0.02; 2 : -0.002; 3 : -0.002)"
+            scene["Support top"].update({"Directions": "x, y, z"[:3 * dim - 2], "Displacement": f"0.01*t ; {'0 ; ' * (dim - 2)}{up}"})
+            run = laws.run(scene)
+            what = f"{dim}D, lost by {lost}{'' if length else ' at once'}"
+            laws.demand(f"{what}: open, then all slip", all(row["state"] == ("open" if row["time"] == 1 else "slip") for row in run.rows))
+            for t, mu in ((2, .5), (3, .2)):
+                laws.check(f"  friction at t = {t}", max(abs(math.hypot(row["r_t1"], row["r_t2"]) - mu * row["r_n"]) for row in run.rows
+                                                       if row["time"] == t), 1e-9)
+
+
 def bonds(laws):
+    way_of_slip(laws)
     pushed(laws)
     snaps(laws)
     pier(laws)
