@@ -42,26 +42,23 @@ namespace conetact::contact
             closed.sides.push_back({{body, number}, weight});
         });
       // What sticks may change all components of its force, as long as the cone
-      // holds them.
-      if (state == solvers::NodeState::stick)
-        closed.forces = point.dual;
+      // holds them. Those of a layer that gives way follow from where its sides
+      // are.
+      const auto &layer = point.node->layer;
+      if (state == solvers::NodeState::stick && !(layer && layer->is_sheared()))
+        closed.forces.assign(point.dual.begin(), point.dual.end() - 1);
+      if (state == solvers::NodeState::stick && !(layer && layer->closes()))
+        closed.forces.push_back(point.dual.back());
       if (point.node->is_bound())
         return closed;
       const Tensor<1, 3> force = force_of(point, r);
       closed.force             = force.norm();
       // A slipping contact keeps the direction of its force.
-      if (closed.forces.empty()) // what only touches may press
+      if (closed.forces.empty() && !(layer && layer->is_soft()))
+        // what only touches may press
         closed.forces.push_back(closed.force > 0 ? force / closed.force :
                                                    point.dual.back());
       return closed;
-    }
-
-    /** A spring or a soft layer has a force that follows from where its sides
-     * are: it can exchange none. */
-    bool
-    gives_way(const pairing::ContactNode &node)
-    {
-      return node.spring || (node.layer && node.layer->is_soft());
     }
 
     /**
@@ -191,7 +188,8 @@ namespace conetact::contact
       return nullptr;
     std::vector<Closed> closed;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (states[i] != solvers::NodeState::open && !gives_way(*points[i].node))
+      // the force of a spring follows from where its ends are
+      if (states[i] != solvers::NodeState::open && !points[i].node->spring)
         closed.push_back(make_closed(points[i], states[i], r));
     const bool only_bound = closed.empty();
     for (std::size_t i = points.size(); i < points.all().size() && !only_bound;
