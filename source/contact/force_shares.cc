@@ -27,6 +27,12 @@ namespace conetact::contact
       double                               force; ///< what it carries
     };
 
+    bool
+    meets_free_obstacle(const pairing::ContactNode &node)
+    {
+      return node.obstacle != nullptr && !node.masters.empty();
+    }
+
     Closed
     make_closed(const ContactPoint      &point,
                 const solvers::NodeState state,
@@ -38,9 +44,13 @@ namespace conetact::contact
         [&](const unsigned int body,
             const unsigned int number,
             const double       weight) {
-          if (weight != 0)
+          if (weight != 0 &&
+              !(meets_free_obstacle(*point.node) && body == point.node->master))
             closed.sides.push_back({{body, number}, weight});
         });
+      // it moves as a whole
+      if (meets_free_obstacle(*point.node))
+        closed.sides.push_back({{point.node->master, 0}, -1.});
       // What sticks may change all components of its force, as long as the cone
       // holds them. Those of a layer that gives way follow from where its sides
       // are.
@@ -127,6 +137,24 @@ namespace conetact::contact
       return groups;
     }
 
+    /** Adds a force on the free obstacle of a node to six rows: its components
+     * and moments, as far as they are free. */
+    void
+    add_to_obstacle(const pairing::ContactNode             &node,
+                    const Tensor<1, 3>                     &force,
+                    Eigen::Ref<Eigen::Matrix<double, 6, 1>> rows)
+    {
+      const Tensor<1, 3> moment = dealii::cross_product_3d(
+        Tensor<1, 3>(node.foot() - node.obstacle->reference), force);
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          if (node.obstacle->free.components.at(d))
+            rows(d) += force[d];
+          if (node.obstacle->free.components.at(d + 3))
+            rows(d + 3) += moment[d];
+        }
+    }
+
     /**
      * Whether different forces of a group are the same forces on all nodes:
      * columns of H^T, three rows a node, that depend on each other. More
@@ -140,16 +168,19 @@ namespace conetact::contact
       // solving.
       constexpr Index       largest = 600;
       std::map<Node, Index> row_of;
-      Index                 n_columns = 0;
+      Index                 n_columns = 0, n_rows = 0;
       for (const Closed *closed : group)
         {
           n_columns += static_cast<Index>(closed->forces.size());
           for (const auto &[node, weight] : closed->sides)
-            row_of.emplace(node, 3 * static_cast<Index>(row_of.size()));
+            if (row_of.emplace(node, n_rows).second)
+              n_rows += meets_free_obstacle(*closed->node) &&
+                            node.first == closed->node->master ?
+                          6 :
+                          3;
         }
       // Rows of H^T: forces along x, y and z on each node. In the plane one of
       // three is zero, and the rank is the same.
-      const auto n_rows = 3 * static_cast<Index>(row_of.size());
       if (n_columns > n_rows)
         return true;
       if (n_columns > largest || n_columns == 0)
@@ -160,8 +191,14 @@ namespace conetact::contact
         for (const Tensor<1, 3> &force : closed->forces)
           {
             for (const auto &[node, weight] : closed->sides)
-              for (unsigned int d = 0; d < 3; ++d)
-                forces(row_of[node] + d, column) += weight * force[d];
+              if (meets_free_obstacle(*closed->node) &&
+                  node.first == closed->node->master)
+                add_to_obstacle(*closed->node,
+                                weight * force,
+                                forces.col(column).segment<6>(row_of[node]));
+              else
+                for (unsigned int d = 0; d < 3; ++d)
+                  forces(row_of[node] + d, column) += weight * force[d];
             ++column;
           }
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(forces);

@@ -39,6 +39,16 @@ def beside_layers(laws):
             run = laws.run(scene)
             laws.demand(f"{dim}D, corner of a floor with {', '.join(layer) or 'no layer'}: determinate is {answer}",
                         all(row["determinate"] == answer for row in run.increments))
+    # of a wall that is pushed only the sum is given: nodes of an edge share it with the floor, a single one does not
+    for dim, answer in ((2, "yes"), (3, "no")):
+        held = {"Support hold": support(2 * dim - 1, ", ".join("xyz"[:dim]), Stiffness=1.0)}
+        scene = in_corner(dim, .8, (.3,) * (dim - 1) + (3.0,), held, side_mu=0)
+        scene["Body block"]["Material"]["Poisson ratio"] = 0  # or its edge leaves the wall
+        if dim == 3:
+            del scene["Obstacle y"], scene["Contact y"]
+        scene["Obstacle x"].update({"Free": "x", "Force": "0.3*t" + " ; 0" * (dim - 1)})
+        run = laws.run(scene)
+        laws.demand(f"{dim}D, beside a free wall: determinate is {answer}", all(row["determinate"] == answer for row in run.increments))
 
 
 def in_closed_form(laws, *arguments):
