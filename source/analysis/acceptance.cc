@@ -78,7 +78,7 @@ namespace conetact::analysis
         {
           const auto k  = static_cast<Eigen::Index>(i);
           kept.whole[i] = (*laws)[i].bond().is_whole(after.memory().opened[k],
-                                                     after.memory().slipped[k]);
+                                                     after.memory().shorn[k]);
         }
       return kept;
     }

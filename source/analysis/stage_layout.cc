@@ -25,17 +25,18 @@ namespace conetact::analysis
     const std::string held_name   = "stages/held";
 
     /** What laws of contact remember of a node. */
-    constexpr std::array<const char *, 8> memory = {{"contact/slipped",
+    constexpr std::array<const char *, 9> memory = {{"contact/slipped",
                                                      "contact/worn",
                                                      "contact/packed",
                                                      "contact/broken",
                                                      "contact/parted",
                                                      "contact/opened",
                                                      "wear/error",
-                                                     "wear/depth"}};
+                                                     "wear/depth",
+                                                     "contact/shorn"}};
     constexpr std::size_t slipped = 0, worn = 1, broken = 3, parted = 4,
-                          opened = 5;
-    using Remembered             = std::array<double, memory.size()>;
+                          opened = 5, shorn = 8;
+    using Remembered = std::array<double, memory.size()>;
 
     /** Work against a bond that softens while a support parts it, up to this
      * gap at time t: what it gives back when it closes is part of that. */
@@ -59,11 +60,10 @@ namespace conetact::analysis
       for (unsigned int k = 0; k < n; ++k)
         {
           const double g = before[parted] + (k + .5) * part;
-          work += whole * part *
-                  node.bond->rest(std::max(before[opened], g),
-                                  before[slipped],
-                                  least) *
-                  node.bond->unloading(g, before[opened], least);
+          work +=
+            whole * part *
+            node.bond->rest(std::max(before[opened], g), before[shorn], least) *
+            node.bond->unloading(g, before[opened], least);
         }
       return work;
     }

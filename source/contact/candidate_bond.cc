@@ -15,7 +15,7 @@ namespace conetact::contact
     , strength(law->strength(start) * node.bonded_area())
     , cohesion(law->cohesion(start) * node.bonded_area())
     , opened(start.opened)
-    , slipped(start.slipped)
+    , shorn(start.shorn)
     , least(node.least_opening())
     , bears(rest(0, 0) * (strength + cohesion) > 0)
   {}
@@ -25,8 +25,8 @@ namespace conetact::contact
   CandidateBond::rest(const double slip, const double gap) const
   {
     return law->is_brittle() ?
-             law->rest(opened, slipped, least) :
-             law->rest(std::max(opened, gap), slipped + slip, least);
+             law->rest(opened, shorn, least) :
+             law->rest(std::max(opened, gap), shorn + slip, least);
   }
 
   /* T a (1 - w / l), of which less is left where an opening closes again. */
@@ -63,10 +63,10 @@ namespace conetact::contact
      bears something. */
   bool
   CandidateBond::is_whole(const double opened_in_all,
-                          const double slipped_in_all) const
+                          const double shorn_in_all) const
   {
     return holds() && opened_in_all <= least &&
-           law->rest(opened_in_all, slipped_in_all, least) > 0;
+           law->rest(opened_in_all, shorn_in_all, least) > 0;
   }
 
   /* The work of pull t(g, s) dg + c rest(g, s) ds along a straight way from the

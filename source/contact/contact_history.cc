@@ -19,6 +19,7 @@ namespace conetact::contact
     /** As checkpoints name them. */
     constexpr std::pair<const char *, Eigen::VectorXd LawMemory::*>
       numbers_of_memory[] = {{"contact/slipped", &LawMemory::slipped},
+                             {"contact/shorn", &LawMemory::shorn},
                              {"contact/worn", &LawMemory::worn},
                              {"contact/packed", &LawMemory::packed},
                              {"contact/opened", &LawMemory::opened},
@@ -279,6 +280,7 @@ namespace conetact::contact
         known[i].position                = node.position;
         known[i].t                       = t;
         known[i].slipped = laws_know.slipped[static_cast<Eigen::Index>(i)];
+        known[i].shorn   = laws_know.shorn[static_cast<Eigen::Index>(i)];
         known[i].opened  = laws_know.opened[static_cast<Eigen::Index>(i)];
         known[i].packed  = laws_know.packed[static_cast<Eigen::Index>(i)];
         known[i].gap     = gap[static_cast<Eigen::Index>(i)];
@@ -313,6 +315,7 @@ namespace conetact::contact
     if (laws != nullptr)
       {
         laws_know.slipped += laws->slips(end);
+        laws_know.shorn += laws->shears(end);
         // Both are of this increment: what wears is a slip times a pressure.
         laws_know.worn += laws->wear(end);
         laws_know.packed = laws_know.packed.cwiseMax(laws->pressures(end));

@@ -27,6 +27,12 @@ namespace conetact::contact
       double                               force; ///< what it carries
     };
 
+    bool
+    meets_free_obstacle(const pairing::ContactNode &node)
+    {
+      return node.obstacle != nullptr && !node.masters.empty();
+    }
+
     Closed
     make_closed(const ContactPoint      &point,
                 const solvers::NodeState state,
@@ -38,30 +44,31 @@ namespace conetact::contact
         [&](const unsigned int body,
             const unsigned int number,
             const double       weight) {
-          if (weight != 0)
+          if (weight != 0 &&
+              !(meets_free_obstacle(*point.node) && body == point.node->master))
             closed.sides.push_back({{body, number}, weight});
         });
+      // it moves as a whole
+      if (meets_free_obstacle(*point.node))
+        closed.sides.push_back({{point.node->master, 0}, -1.});
       // What sticks may change all components of its force, as long as the cone
-      // holds them.
-      if (state == solvers::NodeState::stick)
-        closed.forces = point.dual;
+      // holds them. Those of a layer that gives way follow from where its sides
+      // are.
+      const auto &layer = point.node->layer;
+      if (state == solvers::NodeState::stick && !(layer && layer->is_sheared()))
+        closed.forces.assign(point.dual.begin(), point.dual.end() - 1);
+      if (state == solvers::NodeState::stick && !(layer && layer->closes()))
+        closed.forces.push_back(point.dual.back());
       if (point.node->is_bound())
         return closed;
       const Tensor<1, 3> force = force_of(point, r);
       closed.force             = force.norm();
       // A slipping contact keeps the direction of its force.
-      if (closed.forces.empty()) // what only touches may press
+      if (closed.forces.empty() && !(layer && layer->is_soft()))
+        // what only touches may press
         closed.forces.push_back(closed.force > 0 ? force / closed.force :
                                                    point.dual.back());
       return closed;
-    }
-
-    /** A spring or a soft layer has a force that follows from where its sides
-     * are: it can exchange none. */
-    bool
-    gives_way(const pairing::ContactNode &node)
-    {
-      return node.spring || (node.layer && node.layer->is_soft());
     }
 
     /**
@@ -130,6 +137,24 @@ namespace conetact::contact
       return groups;
     }
 
+    /** Adds a force on the free obstacle of a node to six rows: its components
+     * and moments, as far as they are free. */
+    void
+    add_to_obstacle(const pairing::ContactNode             &node,
+                    const Tensor<1, 3>                     &force,
+                    Eigen::Ref<Eigen::Matrix<double, 6, 1>> rows)
+    {
+      const Tensor<1, 3> moment = dealii::cross_product_3d(
+        Tensor<1, 3>(node.foot() - node.obstacle->reference), force);
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          if (node.obstacle->free.components.at(d))
+            rows(d) += force[d];
+          if (node.obstacle->free.components.at(d + 3))
+            rows(d + 3) += moment[d];
+        }
+    }
+
     /**
      * Whether different forces of a group are the same forces on all nodes:
      * columns of H^T, three rows a node, that depend on each other. More
@@ -143,16 +168,19 @@ namespace conetact::contact
       // solving.
       constexpr Index       largest = 600;
       std::map<Node, Index> row_of;
-      Index                 n_columns = 0;
+      Index                 n_columns = 0, n_rows = 0;
       for (const Closed *closed : group)
         {
           n_columns += static_cast<Index>(closed->forces.size());
           for (const auto &[node, weight] : closed->sides)
-            row_of.emplace(node, 3 * static_cast<Index>(row_of.size()));
+            if (row_of.emplace(node, n_rows).second)
+              n_rows += meets_free_obstacle(*closed->node) &&
+                            node.first == closed->node->master ?
+                          6 :
+                          3;
         }
       // Rows of H^T: forces along x, y and z on each node. In the plane one of
       // three is zero, and the rank is the same.
-      const auto n_rows = 3 * static_cast<Index>(row_of.size());
       if (n_columns > n_rows)
         return true;
       if (n_columns > largest || n_columns == 0)
@@ -163,8 +191,14 @@ namespace conetact::contact
         for (const Tensor<1, 3> &force : closed->forces)
           {
             for (const auto &[node, weight] : closed->sides)
-              for (unsigned int d = 0; d < 3; ++d)
-                forces(row_of[node] + d, column) += weight * force[d];
+              if (meets_free_obstacle(*closed->node) &&
+                  node.first == closed->node->master)
+                add_to_obstacle(*closed->node,
+                                weight * force,
+                                forces.col(column).segment<6>(row_of[node]));
+              else
+                for (unsigned int d = 0; d < 3; ++d)
+                  forces(row_of[node] + d, column) += weight * force[d];
             ++column;
           }
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(forces);
@@ -191,7 +225,8 @@ namespace conetact::contact
       return nullptr;
     std::vector<Closed> closed;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (states[i] != solvers::NodeState::open && !gives_way(*points[i].node))
+      // the force of a spring follows from where its ends are
+      if (states[i] != solvers::NodeState::open && !points[i].node->spring)
         closed.push_back(make_closed(points[i], states[i], r));
     const bool only_bound = closed.empty();
     for (std::size_t i = points.size(); i < points.all().size() && !only_bound;

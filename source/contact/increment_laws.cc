@@ -131,10 +131,20 @@ namespace conetact::contact
   }
 
   /* Ways of increments add up to the way so far, s of Friction coefficient.
-     What sticks has none, whatever the rounding of v; a bond that has opened is
-     shorn as well. */
+     What sticks has none, whatever the rounding of v. */
   Eigen::VectorXd
   IncrementLaws::slips(const solvers::ContactState &end) const
+  {
+    AssertDimension(end.node.size(), all.size());
+    return of_each([&](const Index i) {
+      return end.node[static_cast<std::size_t>(i)] == solvers::NodeState::slip ?
+               slip_in(at(i).seen(end)) :
+               0.;
+    });
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::shears(const solvers::ContactState &end) const
   {
     AssertDimension(end.node.size(), all.size());
     return of_each([&](const Index i) {
@@ -198,7 +208,7 @@ namespace conetact::contact
                           const solvers::ContactState &end) const
   {
     AssertDimension(before.size(), static_cast<Index>(all.size()));
-    const Eigen::VectorXd after = openings(end), way = slips(end);
+    const Eigen::VectorXd after = openings(end), way = shears(end);
     return of_each([&](const Index i) {
       const CandidateBond &bond = at(i).bond();
       return bond.holds() ? bond.fracture(before[i], after[i], way[i]) : 0.;

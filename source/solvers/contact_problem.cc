@@ -148,6 +148,22 @@ namespace conetact::solvers
       return residual;
     }
 
+    /** s = r_n + b, which laws have in place of r_n, at v as the law sees it.
+     */
+    double
+    with_bond(const ContactProblem &problem,
+              const Index           i,
+              const double          r_n,
+              const SmallVector    &v)
+    {
+      const Index nt = v.size() - 1;
+      return problem.is_bonded(i) ?
+               r_n +
+                 problem.laws->bond(i, v.head(nt).norm(), std::max(v(nt), 0.))
+                   .value :
+               r_n;
+    }
+
     /** The ellipse of node i at v, as the law sees it, and pressed by s. */
     Aspect
     aspect_of(const ContactProblem &problem,
@@ -353,7 +369,8 @@ namespace conetact::solvers
         const auto add = [&](const VectorXd &x, const VectorXd &y) {
           const SmallVector at = x.segment(first, nt + 1);
           const SmallVector scale =
-            aspect_of(problem, i, y(first + nt), at).scale(nt + 1);
+            aspect_of(problem, i, with_bond(problem, i, y(first + nt), at), at)
+              .scale(nt + 1);
           const double lambda = scale.cwiseProduct(at).head(nt).norm();
           return lambda * mu * y(first + nt) + at.dot(y.segment(first, nt + 1));
         };
@@ -425,7 +442,9 @@ namespace conetact::solvers
         const SmallVector at   = seen.segment(first, nt + 1);
         const double      r_t =
           state.r.segment(first, nt + 1)
-            .cwiseQuotient(aspect_of(problem, i, r_n, at).scale(nt + 1))
+            .cwiseQuotient(
+              aspect_of(problem, i, with_bond(problem, i, r_n, at), at)
+                .scale(nt + 1))
             .head(nt)
             .norm();
         const bool slips =

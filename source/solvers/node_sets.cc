@@ -107,6 +107,15 @@ namespace conetact::solvers
       SmallVector scale; ///< of slips
     };
 
+    /** So much of a short slip that z_t is well outside of the limit. */
+    double
+    weight_of_slip(const Seen &seen, const double limit)
+    {
+      const Index nt = seen.v.size() - 1;
+      return (seen.forces().head(nt).norm() + 2 * limit) /
+             seen.slips().head(nt).norm();
+    }
+
     /**
      * Slip as the last increment left it. Its size is not known if the
      * increment is new: then half of z_t is taken for slip.
@@ -131,12 +140,15 @@ namespace conetact::solvers
       return set;
     }
 
-    /** Whether neither reactions nor motions move this unknown at all. */
+    /** Whether neither reactions nor motions move tangent k of node i at all,
+     * and no layer gives way along it. */
     bool
-    is_fixed(const LinearRelation &relation, const Index k)
+    is_fixed(const LinearRelation &relation, const Index i, const Index k)
     {
       const Eigen::MatrixXd &W = relation.system().matrix;
-      return !relation.stiffness() && W(k, k) == 0 && W.row(k).isZero(0);
+      const Index            j = relation.system().first[i] + k;
+      return !relation.stiffness() && W(j, j) == 0 && W.row(j).isZero(0) &&
+             !(relation.has_layers() && relation.layer(i, 0, 0).shear > 0);
     }
 
     /**
@@ -145,17 +157,31 @@ namespace conetact::solvers
      */
     void
     keep_reactions_of_fixed(const LinearRelation &relation,
-                            const Index           first,
+                            const Index           i,
                             NodeLaw              &law)
     {
       for (Index k = 0; k + 1 < law.h.size(); ++k)
-        if (is_fixed(relation, first + k))
+        if (is_fixed(relation, i, k))
           {
             law.p.row(k).setZero();
             law.d.row(k).setZero();
             law.p(k, k) = 1;
             law.h(k)    = 0;
           }
+    }
+
+    /** Whether node i has a slip that no reaction changes: it must slip. */
+    bool
+    is_dragged(const LinearRelation &relation,
+               const Index           i,
+               const SmallVector    &v,
+               const VectorXd       &rounding)
+    {
+      for (Index k = 0; k + 1 < v.size(); ++k)
+        if (std::abs(v(k)) > rounding(relation.system().first[i] + k) &&
+            is_fixed(relation, i, k))
+          return true;
+      return false;
     }
 
     /** True of a node in space that slips along a known direction, whose
@@ -229,23 +255,31 @@ namespace conetact::solvers
     eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
+    const VectorXd       rounding = relation.rounding(p);
     NodeSets             sets(at(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const Index       nt = system.n_tangents(i);
-        const Seen        seen(relation, i, x);
-        const SmallVector z   = seen.forces() - seen.slips();
-        NodeSet          &set = sets[at(i)];
-        set.direction         = SmallVector::Zero(nt);
+        const Index nt = system.n_tangents(i);
+        const Seen  seen(relation, i, x);
+        SmallVector z   = seen.forces() - seen.slips();
+        NodeSet    &set = sets[at(i)];
+        set.direction   = SmallVector::Zero(nt);
         if (relation.is_joined(i))
           set.state = NodeState::stick;
         if (relation.is_joined(i) || relation.is_apart(i) ||
             (!(z(nt) > 0) && !relation.is_bonded(i)))
           continue;
-        const double norm = z.head(nt).norm();
         const double limit =
           limit_at(relation, i, std::max(z(nt), 0.), seen.v).value;
-        set.is_lifted = !(z(nt) > 0);
+        if (limit > 0 && z.head(nt).norm() <= limit &&
+            is_dragged(relation, i, seen.v, rounding))
+          {
+            set.weight = weight_of_slip(seen, limit);
+            z.head(nt) =
+              seen.forces().head(nt) - set.weight * seen.slips().head(nt);
+          }
+        const double norm = z.head(nt).norm();
+        set.is_lifted     = !(z(nt) > 0);
         if (set.is_lifted && !(limit > 0))
           continue;
         set.state = NodeState::stick;
@@ -325,7 +359,7 @@ namespace conetact::solvers
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
         if (sets[at(i)].state == NodeState::stick)
-          keep_reactions_of_fixed(relation, first, result[at(i)]);
+          keep_reactions_of_fixed(relation, i, result[at(i)]);
       }
     append_balance(relation, d, result);
     return result;

@@ -89,7 +89,7 @@ namespace conetact::solvers
     const double      zn = r(nt) - v(nt);
     const SmallMatrix T  = turning_part(set, limit.value, r.head(nt), definite);
     // With dz = dr - dv, A takes what belongs to dv and B the rest.
-    law.A.topLeftCorner(nt, nt) = T;
+    law.A.topLeftCorner(nt, nt) = set.weight * T;
     law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
     law.A.topRightCorner(nt, 1) = limit.by_force * set.direction;
     law.B.topRightCorner(nt, 1) = -law.A.topRightCorner(nt, 1);

@@ -120,9 +120,9 @@ namespace conetact::verification
       const bool              now   = !law.is_brittle();
       const double            gap   = std::max(seen.gap, 0.);
       const double            least = node.least_opening();
-      const double opened  = now ? std::max(here.opened, gap) : here.opened;
-      const double slipped = here.slipped + (now ? seen.slip.norm() : 0.);
-      return law.rest(opened, slipped, least) * node.bonded_area();
+      const double opened = now ? std::max(here.opened, gap) : here.opened;
+      const double shorn  = here.shorn + (now ? seen.slip.norm() : 0.);
+      return law.rest(opened, shorn, least) * node.bonded_area();
     }
 
     /** The limit of friction along an axis, mu r_n + c a but at most that of

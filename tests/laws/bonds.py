@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Laws of bonds in closed form: a block that is glued to a plate is pulled, sheared and bent off it."""
+import math
 from pathlib import Path
 
 from laws.layers import SPRINGS, YOUNG, clamped, sliding
@@ -210,7 +211,55 @@ def snaps(laws):
             laws.check("  slip", max(abs(row["u_t1"] / slip - 1) for row in run.last()), 1e-2)
 
 
+def pushed(laws):
+    """A support pushes nodes of a glued block along the floor: friction of these is mu p + c at once, however short the way."""
+    c = .4
+    for dim in (2, 3):
+        for motion in ("1e-7*t", "0.0003*t", "0.001*t", "0.003*t"):
+            for law in ({"Cohesion": c}, {"Cohesion": c, "Tensile strength": .5}, {"Cohesion": c, "Shear compliance": 1e-5}):
+                scene = {"Dimension": dim, "Body block": box((4, 2) if dim == 2 else (4, 2, 2), (2.0, 1.0, 1.0)[:dim]),
+                         "Obstacle floor": floor(dim), "Contact bottom": contact(ids=2 * dim - 2, mu=.3, **law),
+                         "Support side": support(0, "x", motion), "Load press": load("pressure", "5*t", 2 * dim - 1),
+                         "Output": {"VTU": 0}}
+                rows = laws.run(scene).last()
+                what = f"{dim}D, pushed by {motion}, {', '.join(law)}"
+                limit = {id(row): .3 * row["r_n"] + c * row["area"] for row in rows}
+                friction = {id(row): math.hypot(row["r_t1"], row["r_t2"]) for row in rows}
+                dragged = [row for row in rows if row["x"] == 0] if "Shear compliance" not in law else []
+                laws.check(f"{what}: friction at its limit", max((abs(friction[id(row)] / limit[id(row)] - 1) for row in dragged), default=0.0), 1e-9)
+                if dim == 2 and "Shear compliance" in law:  # a layer lets the pushed node stick
+                    size = float(motion[:-2])
+                    laws.check("  as its layer is sheared", max(abs(friction[id(row)] / min(size / 1e-5 * row["area"], limit[id(row)]) - 1)
+                                                                for row in rows if row["x"] == 0), 1e-9)
+                laws.demand("  no more anywhere", all(friction[id(row)] <= limit[id(row)] * (1 + 1e-9) for row in rows))
+                laws.demand("  and less only without slip", all(row["state"] == "slip" or "Shear compliance" in law or math.hypot(row["du_t1"], row["du_t2"]) < 1e-12 for row in rows))
+    # a bond that holds next to nothing changes nothing
+    none, little = (laws.run(merge(scene, {"Contact bottom": {"Cohesion": cohesion, "Shear compliance": 0}})) for cohesion in (0, 1e-9))
+    laws.check("a bond of next to nothing", max(math.dist((one["r_n"], one["r_t1"], one["r_t2"]), (two["r_n"], two["r_t1"], two["r_t2"]))
+                                                for one, two in zip(none.last(), little.last())), 1e-7)
+
+
+def way_of_slip(laws):
+    """What goes along while its bond opens does not slip in contact: friction that falls with s begins at s = 0."""
+    for dim in (2, 3):
+        for lost, length in (("slip", LENGTH), ("opening", LENGTH), ("slip", None)):
+            law = {"Tensile strength": T, "Cohesion": 1, "Cohesion lost": lost, **({"Softening length": length} if length else {})}
+            scene = glued(dim, "0", "1, 2, 3", **law)
+            scene["Contact bottom"]["Friction coefficient"] = "table(s; 0 : 0.5; 0.004 : 0.2)"
+            del scene["Support side"]
+            up = "table(t; 0 : 0; 1 : 0.02; 2 : -0.002; 3 : -0.002)"
+            scene["Support top"].update({"Directions": "x, y, z"[:3 * dim - 2], "Displacement": f"0.01*t ; {'0 ; ' * (dim - 2)}{up}"})
+            run = laws.run(scene)
+            what = f"{dim}D, lost by {lost}{'' if length else ' at once'}"
+            laws.demand(f"{what}: open, then all slip", all(row["state"] == ("open" if row["time"] == 1 else "slip") for row in run.rows))
+            for t, mu in ((2, .5), (3, .2)):
+                laws.check(f"  friction at t = {t}", max(abs(math.hypot(row["r_t1"], row["r_t2"]) - mu * row["r_n"]) for row in run.rows
+                                                       if row["time"] == t), 1e-9)
+
+
 def bonds(laws):
+    way_of_slip(laws)
+    pushed(laws)
     snaps(laws)
     pier(laws)
     pulled(laws)

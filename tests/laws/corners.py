@@ -27,6 +27,30 @@ def in_corner(dim, mu, pressures, supports=None, side_mu=None, turned=0.0, cells
     return {**scene, **(supports or {})}
 
 
+def beside_layers(laws):
+    """A floor that gives way along its normal only shares what sticks with a frictionless wall; one that is sheared does not."""
+    for dim in (2, 3):
+        bottom = "xyz"[dim - 1]
+        for layer, answer in (({}, "no"), ({"Compliance": 1e-4}, "no"), ({"Shear compliance": 1e-4}, "yes"),
+                              ({"Compliance": 1e-4, "Shear compliance": 1e-4}, "yes")):
+            held = {"Support hold": support(2 * dim - 1, ", ".join("xyz"[:dim]), Stiffness=1.0)}
+            scene = in_corner(dim, .8, (.3,) * (dim - 1) + (3.0,), held, side_mu=0)
+            scene[f"Contact {bottom}"].update(layer)
+            run = laws.run(scene)
+            laws.demand(f"{dim}D, corner of a floor with {', '.join(layer) or 'no layer'}: determinate is {answer}",
+                        all(row["determinate"] == answer for row in run.increments))
+    # of a wall that is pushed only the sum is given: nodes of an edge share it with the floor, a single one does not
+    for dim, answer in ((2, "yes"), (3, "no")):
+        held = {"Support hold": support(2 * dim - 1, ", ".join("xyz"[:dim]), Stiffness=1.0)}
+        scene = in_corner(dim, .8, (.3,) * (dim - 1) + (3.0,), held, side_mu=0)
+        scene["Body block"]["Material"]["Poisson ratio"] = 0  # or its edge leaves the wall
+        if dim == 3:
+            del scene["Obstacle y"], scene["Contact y"]
+        scene["Obstacle x"].update({"Free": "x", "Force": "0.3*t" + " ; 0" * (dim - 1)})
+        run = laws.run(scene)
+        laws.demand(f"{dim}D, beside a free wall: determinate is {answer}", all(row["determinate"] == answer for row in run.increments))
+
+
 def in_closed_form(laws, *arguments):
     """Pressed into corners and pulled out of them; by the backend that the arguments ask for."""
     for dim in (2, 3):
@@ -133,6 +157,7 @@ def by_both_backends(laws):
 
 def corners(laws):
     """Nodes in two and three contacts: floating and held, with closed forms; by both backends."""
+    beside_layers(laws)
     for name in ("condensed", "iterative"):
         in_closed_form(laws, *backend(name))
     by_both_backends(laws)

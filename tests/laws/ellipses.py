@@ -179,7 +179,26 @@ def held(laws):
         laws.same("  iterative", run, laws.run(scene, "-s", "Solver/Backend=iterative"), 1e-8)
 
 
+def glued(laws):
+    """A glued block whose layer is stretched and sheared: its ellipse has the semi-axes mu p + c, where it is pulled, too."""
+    strength, law = .3, Law("0.2", "0.4", lambda s, p, v: .2, lambda s, p, v: .4, Cohesion=1.0)
+    for entries in ({"Compliance": 5e-4}, {"Compliance": 5e-4, "Shear compliance": 2e-4}):
+        scene = press_and_shear(3, cells=(3, 3, 2))
+        scene["Contact bottom"].update({**law.entry(0.0), **entries, "Tensile strength": strength})
+        scene["Support top"]["Displacement"] = "0.0025*t ; 0.0035*t ; -0.001*t*(2 - 2*x)"
+        scene["Time"] = {"End": 2, "Increments": 4}
+        run = laws.run(scene)
+        rows = [row for row in run.rows if row["state"] != "open"]
+        parts = [math.hypot(*(row[f"traction_t{k}"] / (mu * row["pressure"] + 1) for k, mu in ((1, .2), (2, .4)))) for row in rows]
+        what = f"glued, {', '.join(entries)}"
+        laws.check(f"{what}: outside", max(parts) - 1, 1e-9)
+        laws.check("  slip inside", max((abs(part - 1) for row, part in zip(rows, parts) if row["state"] == "slip"), default=1.0), 1e-9)
+        laws.demand("  some are pulled", any(row["pressure"] < 0 for row in rows))
+        laws.demand("  by no more than they bear", all(row["pressure"] >= -strength * (1 + 1e-9) for row in run.rows))
+
+
 def ellipses(laws):
+    glued(laws)
     closed_forms(laws)
     by_tables(laws)
     vanishing_axis(laws)

@@ -84,6 +84,24 @@ def lubricated(laws):
         laws.demand("  some of it is wet", 0 < len(wet) < len(at[3]))
 
 
+def pushed(laws):
+    """A support pushes a wet node with a layer along the floor: its friction is mu (p - p_f) at most, and what its layer bears, u/C, if less."""
+    C = 4e-4
+    for dim in (2, 3):
+        for law in ({"Compliance": 1e-3}, {"Compliance": 1e-3, "Unloading compliance": 2e-4}):
+            scene = pressed(dim, "0.01*(1.5 - 0.5*t)", "3", **{"Shear compliance": C, **law})
+            scene["Support top"].update({"Directions": "yz"[dim - 2], "Displacement": "-0.01*(1.5 - 0.5*t)"})
+            scene["Support side"] = support(0, "x", "-1e-4*t")
+            scene["Solver"] = {"Method": "active set"}  # smoothing does not know fluids
+            rows = [row for row in laws.run(scene).last() if row["x"] == 0]
+            what = f"{dim}D, pushed, {', '.join(law)}"
+            size = [math.hypot(row["traction_t1"], row["traction_t2"]) for row in rows]
+            limit = [.3 * max(row["pressure"] - (3 if row["state"] == "wet" else 0), 0.0) for row in rows]
+            laws.demand(f"{what}: friction within its limit", all(t <= f * (1 + 1e-9) + 1e-9 for t, f in zip(size, limit)))
+            if dim == 2:
+                laws.check("  and that of its layer", max(abs(t - min(3e-4 / C, f)) for t, f in zip(size, limit)), 1e-9)
+
+
 def flange(laws):
     """The shipped flange on a gasket: statics of each increment, and the pressure at which it leaks against that of a rigid flange."""
     run = laws.run(SHIPPED / "gasket-flange.prm", "-s", "Output/VTU=0")
@@ -98,6 +116,7 @@ def flange(laws):
 
 
 def seals(laws):
+    pushed(laws)
     flange(laws)
     uniform(laws)
     away(laws)

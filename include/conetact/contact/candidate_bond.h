@@ -39,7 +39,7 @@ namespace conetact::contact
     /** Whether it is whole after a largest opening and a way of slip
      * [length]. */
     bool
-    is_whole(const double opened, const double slipped) const;
+    is_whole(const double opened, const double shorn) const;
     /** Work against it in an increment [force x length]. */
     double
     fracture(const double gap_at_start,
@@ -53,7 +53,7 @@ namespace conetact::contact
 
     std::shared_ptr<const pairing::BondLaw> law;
     double strength = 0, cohesion = 0; ///< whole [force]
-    double opened = 0, slipped = 0;    ///< so far [length]
+    double opened = 0, shorn = 0;      ///< so far [length]
     double least = 0;                  ///< what little is to it [length]
     bool   bears = false;
   };

@@ -17,7 +17,8 @@ namespace conetact::contact
   /** What laws of contacts remember of each node. */
   struct LawMemory
   {
-    Eigen::VectorXd slipped; ///< way so far [length]
+    Eigen::VectorXd slipped; ///< way so far, in contact [length]
+    Eigen::VectorXd shorn;   ///< that of bonds, in contact or not [length]
     Eigen::VectorXd worn;    ///< depth so far, which opens its gap [length]
     Eigen::VectorXd packed;  ///< largest pressure so far [stress]
     /** Largest opening of a bonded node so far, never_closed of what was open

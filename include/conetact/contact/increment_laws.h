@@ -115,6 +115,10 @@ namespace conetact::contact
     coefficients(const solvers::ContactState &end) const;
     Eigen::VectorXd
     slips(const solvers::ContactState &end) const;
+    /** Slips that bonds see, also those of nodes that they let open
+     * [length]. */
+    Eigen::VectorXd
+    shears(const solvers::ContactState &end) const;
     Eigen::VectorXd
     wear(const solvers::ContactState &end) const;
     /** Pressures of all candidates at the end; 0 without areas [stress]. */

@@ -27,6 +27,7 @@ namespace conetact::pairing
     double opened = 0;
     double gap    = 0; ///< at the start [length]
     double packed = 0; ///< largest pressure so far, at the start [stress]
+    double shorn  = 0; ///< slip of a bond so far, in contact or not [length]
   };
 
   /** The names of its numbers in expressions, but for places and t. */

@@ -83,6 +83,17 @@ namespace conetact::pairing
     {
       return compliance || shear_compliance || wears_at_once();
     }
+    /** Whether what sticks may displace, or close, by its own force. */
+    bool
+    is_sheared() const
+    {
+      return shear_compliance.has_value();
+    }
+    bool
+    closes() const
+    {
+      return compliance || wears_at_once();
+    }
     bool
     uses_temperature() const;
     bool

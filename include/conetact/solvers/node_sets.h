@@ -26,6 +26,8 @@ namespace conetact::solvers
     bool        is_lifted = false;
     SmallVector direction; ///< unit, of z_t; zero without friction
     double      ratio = 0; ///< mu z_n / |z_t|, at most 1
+    /** Of the slip in z_t: more than 1 where a given slip would not show. */
+    double weight = 1;
   };
   using NodeSets = std::vector<NodeSet>;
 
