@@ -96,7 +96,10 @@ def smoothing(programs):
         programs.demand(f"{scene}: exit code {code}", code == (2 if gives_up else 0))
         for name, counts in zip("AB", expected):
             rows = re.findall(rf"^{name} +(\d+) +(\S+)", text, re.M)
-            programs.demand(f"{scene}, {name}: {[int(n) for n, _ in rows]}", [int(n) for n, _ in rows] == counts)
+            found = [int(n) for n, _ in rows]
+            # where it gives up, rounding decides in which iteration
+            programs.demand(f"{scene}, {name}: {found}", found == counts or (gives_up and name == "A" and len(found) == 1
+                                                                             and abs(found[0] - counts[0]) <= 3))
             if gives_up and name == "A":
                 programs.demand("  no descent in the line search", "no descent in the line search" in text)
             else:

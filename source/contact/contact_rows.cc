@@ -61,6 +61,10 @@ namespace conetact::contact
       return p;
     }
 
+    /** Of itself: slips that are less of a displacement are what solvers leave.
+     */
+    constexpr double known_to = 1e-11;
+
     /** The point where it acts on its own side, a mean over slaves. */
     Point<3>
     acting_at(const model::Bodies &bodies, const pairing::ContactNode &node)
@@ -180,8 +184,8 @@ namespace conetact::contact
             row.state != solvers::NodeState::open)
           row.state = std::hypot(row.du[1], row.du[2]) >
                           solvers::position_rounding *
-                            (row.position.norm() + node.spacing +
-                             at(node.body, node.node).norm()) ?
+                              (row.position.norm() + node.spacing) +
+                            known_to * at(node.body, node.node).norm() ?
                         solvers::NodeState::slip :
                         solvers::NodeState::stick;
         row.wet    = i < kept.wet.size() && kept.wet[i];

@@ -170,16 +170,20 @@ namespace conetact::solvers
           }
     }
 
-    /** Whether node i has a slip that no reaction changes: it must slip. */
+    /** A slip is given if it is so many times the rounding of the largest
+     * displacement: 4e-11 of it. */
+    constexpr double roundings_of_slip = 1e4;
+
+    /** Whether node i has a slip that no reaction changes: it must slip. What
+     * is `least` or less comes of how loads are reduced. */
     bool
     is_dragged(const LinearRelation &relation,
                const Index           i,
                const SmallVector    &v,
-               const VectorXd       &rounding)
+               const double          least)
     {
       for (Index k = 0; k + 1 < v.size(); ++k)
-        if (std::abs(v(k)) > rounding(relation.system().first[i] + k) &&
-            is_fixed(relation, i, k))
+        if (std::abs(v(k)) > least && is_fixed(relation, i, k))
           return true;
       return false;
     }
@@ -255,8 +259,8 @@ namespace conetact::solvers
     eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
-    const VectorXd       rounding = relation.rounding(p);
-    NodeSets             sets(at(system.n_nodes()));
+    const double least_slip = roundings_of_slip * largest(relation.rounding(p));
+    NodeSets     sets(at(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index nt = system.n_tangents(i);
@@ -272,7 +276,7 @@ namespace conetact::solvers
         const double limit =
           limit_at(relation, i, std::max(z(nt), 0.), seen.v).value;
         if (limit > 0 && z.head(nt).norm() <= limit &&
-            is_dragged(relation, i, seen.v, rounding))
+            is_dragged(relation, i, seen.v, least_slip))
           {
             set.weight = weight_of_slip(seen, limit);
             z.head(nt) =
@@ -328,8 +332,8 @@ namespace conetact::solvers
     result.reserve(sets.size() + at(system.n_motions));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const Seen  seen(relation, i, x);
+        const Index        dim = system.n_tangents(i) + 1;
+        const Seen         seen(relation, i, x);
         const SmallVector &v = seen.v, &r = seen.r;
         const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
         const auto         limit = limit_at(relation, i, zn, v);

@@ -77,8 +77,8 @@ namespace conetact
   double
   machine_memory();
 
-  /** Gives memory that has been freed in small pieces, such as that of a mesh,
-   * back to the machine. */
+  /** Gives memory that has been freed in small pieces, such as that of a large
+   * mesh, back to the machine. */
   void
   give_back_memory();
 
