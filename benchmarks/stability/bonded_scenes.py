@@ -102,7 +102,7 @@ def faults(run, known):
             if row["state"] == "open":
                 note("opens below its strength", max(0.0, row["r_n"] + pull))
             opened[k], slipped[k] = max(before[0], gap), before[1] + moved
-            if row["state"] == "slip" or rest(law, *before) * (law["Tensile strength"] + law["Cohesion"]) > 0:
+            if row["state"] == "slip":  # the way of a bond that opens is its own
                 way[k] = way.get(k, 0.0) + moved
     return worst
 
