@@ -21,6 +21,39 @@ namespace conetact::analysis
     /** Of coordinates: what they are known to. */
     constexpr double known_to = 16 * 2.2e-16;
 
+    /** Displacement of a node relative to what it may touch. */
+    Tensor<1, 3>
+    relative(const contact::ContactModel &model,
+             const pairing::ContactNode  &node,
+             const Eigen::VectorXd       &u,
+             const double                 t)
+    {
+      return contact::relative_displacement(
+        node,
+        [&](const unsigned int body, const unsigned int i) {
+          return model.displacement(u, body, i);
+        },
+        t);
+    }
+
+    /** Tells whether friction holds nothing of a contact any more. */
+    bool
+    all_slips(const contact::ContactModel &model,
+              const PendingIncrement      &increment,
+              const unsigned int           contact)
+    {
+      bool any = false;
+      for (std::size_t i = 0; i < model.points.size(); ++i)
+        if (const contact::ContactPoint &point = model.points[i];
+            point.node->contact == contact && point.mu > 0)
+          {
+            if (increment.state.node[i] == solvers::NodeState::stick)
+              return false;
+            any = any || increment.state.node[i] == solvers::NodeState::slip;
+          }
+      return any;
+    }
+
     /** A kind of warning: one is enough. */
     const std::string small_is_off = "small kinematics";
 
@@ -209,20 +242,6 @@ namespace conetact::analysis
       model.motions.field(amounts(increment)) + w);
   }
 
-  /** Displacement of a node relative to what it may touch. */
-  Tensor<1, 3>
-  Acceptance::relative(const pairing::ContactNode &node,
-                       const Eigen::VectorXd      &u,
-                       const double                t) const
-  {
-    return contact::relative_displacement(
-      node,
-      [&](const unsigned int body, const unsigned int i) {
-        return model.displacement(u, body, i);
-      },
-      t);
-  }
-
   std::string
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
@@ -243,7 +262,7 @@ namespace conetact::analysis
         const double worn = i < held_depths.size() ? held_depths[i] : 0.;
         const double gap =
           node.gap + worn +
-          relative(node, *finding.u, increment.record.time) * node.n;
+          relative(model, node, *finding.u, increment.record.time) * node.n;
         if (gap < -least_depth * node.spacing)
           return "a support holds the contact node at " +
                  to_text(node.position) + " of body '" +
@@ -332,27 +351,10 @@ namespace conetact::analysis
                        "finite sliding is not for it: " + why_not) +
                     "): directions of forces are off by as much, friction "
                     "of what is only pressed by more." +
-                    (all_slips(end.increment, tilted->first) ?
+                    (all_slips(model, end.increment, tilted->first) ?
                        " All of its nodes that touch slip: the limit of its "
                        "friction may have been passed." :
                        ""));
-  }
-
-  /** Tells whether friction holds nothing of a contact any more. */
-  bool
-  Acceptance::all_slips(const PendingIncrement &increment,
-                        const unsigned int      contact) const
-  {
-    bool any = false;
-    for (std::size_t i = 0; i < model.points.size(); ++i)
-      if (const contact::ContactPoint &point = model.points[i];
-          point.node->contact == contact && point.mu > 0)
-        {
-          if (increment.state.node[i] == solvers::NodeState::stick)
-            return false;
-          any = any || increment.state.node[i] == solvers::NodeState::slip;
-        }
-    return any;
   }
 
   /* The law holds for the contacts as they were linearised. This asks whether

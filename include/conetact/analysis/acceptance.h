@@ -141,13 +141,6 @@ namespace conetact::analysis
     leave_small(const IncrementEnd &end);
     void
     warn_of_tilt(const IncrementEnd &end);
-    bool
-    all_slips(const PendingIncrement &increment,
-              const unsigned int      contact) const;
-    Tensor<1, 3>
-    relative(const pairing::ContactNode &node,
-             const Eigen::VectorXd      &u,
-             const double                t) const;
     std::string
     outdated(const PendingIncrement      &increment,
              const verification::Finding &finding,
