@@ -21,21 +21,6 @@ namespace conetact::analysis
     /** Of coordinates: what they are known to. */
     constexpr double known_to = 16 * 2.2e-16;
 
-    /** Displacement of a node relative to what it may touch. */
-    Tensor<1, 3>
-    relative(const contact::ContactModel &model,
-             const pairing::ContactNode  &node,
-             const Eigen::VectorXd       &u,
-             const double                 t)
-    {
-      return contact::relative_displacement(
-        node,
-        [&](const unsigned int body, const unsigned int i) {
-          return model.displacement(u, body, i);
-        },
-        t);
-    }
-
     /** Tells whether friction holds nothing of a contact any more. */
     bool
     all_slips(const contact::ContactModel &model,
@@ -260,9 +245,10 @@ namespace conetact::analysis
         if (has_rows[i] || is_soft || !node.is_active(increment.record.time))
           continue;
         const double worn = i < held_depths.size() ? held_depths[i] : 0.;
-        const double gap =
-          node.gap + worn +
-          relative(model, node, *finding.u, increment.record.time) * node.n;
+        const double gap  = node.gap + worn +
+                           contact::relative_displacement(
+                             model, node, *finding.u, increment.record.time) *
+                             node.n;
         if (gap < -least_depth * node.spacing)
           return "a support holds the contact node at " +
                  to_text(node.position) + " of body '" +

@@ -206,12 +206,7 @@ namespace conetact::contact
   {
     if (at.u.size() == 0)
       return {};
-    return relative_displacement(
-      node,
-      [&](const unsigned int body, const unsigned int i) {
-        return model.displacement(at.u, body, i);
-      },
-      at.t);
+    return relative_displacement(model, node, at.u, at.t);
   }
 
   /* Its sides stay as the increment finds them. */

@@ -7,6 +7,17 @@ namespace conetact::iterative
 {
   namespace
   {
+    // What run() does is told by an object of one of these.
+    template <int n_rows, int n_columns>
+    struct Multiply
+    {};
+    template <int size>
+    struct AddUpper
+    {};
+    template <int n_rows, int n_columns>
+    struct AddTransposed
+    {};
+
     /** Asks memory for the numbers of a block long before their turn: a
      * processor looks no further ahead than a page. Nothing is read, so that
      * it may be behind the end. */
@@ -28,7 +39,10 @@ namespace conetact::iterative
      */
     template <int n_rows, int n_columns, typename Number>
     [[gnu::always_inline]] inline void
-    multiply_all(const BlockRows<Number> &A, const Number *x, Number *y)
+    run(const Multiply<n_rows, n_columns>,
+        const BlockRows<Number> &A,
+        const Number            *x,
+        Number                  *y)
     {
       constexpr int bytes = lanes(n_rows) * static_cast<int>(sizeof(Number));
       using Lanes         = typename Wide<Number, bytes>::Vector;
@@ -118,7 +132,10 @@ namespace conetact::iterative
      * whole vector would write as well, may be under way. */
     template <int size, typename Number>
     [[gnu::always_inline]] inline void
-    add_upper(const BlockRows<Number> &A, const Number *x, Number *y)
+    run(const AddUpper<size>,
+        const BlockRows<Number> &A,
+        const Number            *x,
+        Number                  *y)
     {
       using Block                      = Columns<size, Number>;
       using Lanes                      = typename Block::Lanes;
@@ -162,7 +179,10 @@ namespace conetact::iterative
 
     template <int n_rows, int n_columns, typename Number>
     [[gnu::always_inline]] inline void
-    add_transposed(const BlockRows<Number> &A, const Number *x, Number *y)
+    run(const AddTransposed<n_rows, n_columns>,
+        const BlockRows<Number> &A,
+        const Number            *x,
+        Number                  *y)
     {
       constexpr std::size_t block_size =
         static_cast<std::size_t>(n_rows) * n_columns;
@@ -206,63 +226,37 @@ namespace conetact::iterative
     }
 
     // Each product in the vectors that all processors have, and in wider ones.
+    template <typename Product, typename Number>
+    void
+    run_plain(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      run(Product(), A, x, y);
+    }
 #ifdef __x86_64__
-#  define CONETACT_WIDE [[gnu::target("avx2,fma")]]
-#else
-#  define CONETACT_WIDE
+    template <typename Product, typename Number>
+    [[gnu::target("avx2,fma")]] void
+    run_wide(const BlockRows<Number> &A, const Number *x, Number *y)
+    {
+      run(Product(), A, x, y);
+    }
 #endif
-    template <int n_rows, int n_columns, typename Number>
-    void
-    multiply_plain(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      multiply_all<n_rows, n_columns>(A, x, y);
-    }
-    template <int n_rows, int n_columns, typename Number>
-    CONETACT_WIDE void
-    multiply_wide(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      multiply_all<n_rows, n_columns>(A, x, y);
-    }
-    template <int size, typename Number>
-    void
-    add_upper_plain(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      add_upper<size>(A, x, y);
-    }
-    template <int size, typename Number>
-    CONETACT_WIDE void
-    add_upper_wide(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      add_upper<size>(A, x, y);
-    }
-    template <int n_rows, int n_columns, typename Number>
-    void
-    add_transposed_plain(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      add_transposed<n_rows, n_columns>(A, x, y);
-    }
-    template <int n_rows, int n_columns, typename Number>
-    CONETACT_WIDE void
-    add_transposed_wide(const BlockRows<Number> &A, const Number *x, Number *y)
-    {
-      add_transposed<n_rows, n_columns>(A, x, y);
-    }
-#undef CONETACT_WIDE
 
     /**
      * The choice is made as the program runs, as it may have been built on
      * another machine. Fused products round once, not twice: results differ in
      * their last bits between machines.
      */
-    template <typename Product>
-    Product *
-    choose(Product *const plain, [[maybe_unused]] Product *const wide)
+    template <typename Product, typename Number>
+    void
+    run_chosen(const BlockRows<Number> &A, const Number *x, Number *y)
     {
 #ifdef __x86_64__
-      if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return wide;
+      static const bool is_wide =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+      if (is_wide)
+        return run_wide<Product>(A, x, y);
 #endif
-      return plain;
+      run_plain<Product>(A, x, y);
     }
   } // namespace
 
@@ -272,10 +266,7 @@ namespace conetact::iterative
   void
   multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-    static const auto multiply =
-      choose(&multiply_plain<n_rows, n_columns, Number>,
-             &multiply_wide<n_rows, n_columns, Number>);
-    multiply(A, x, y);
+    run_chosen<Multiply<n_rows, n_columns>>(A, x, y);
   }
 
 
@@ -284,9 +275,7 @@ namespace conetact::iterative
   void
   add_upper_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-    static const auto add =
-      choose(&add_upper_plain<size, Number>, &add_upper_wide<size, Number>);
-    add(A, x, y);
+    run_chosen<AddUpper<size>>(A, x, y);
   }
 
 
@@ -295,10 +284,7 @@ namespace conetact::iterative
   void
   add_transposed_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
-    static const auto add =
-      choose(&add_transposed_plain<n_rows, n_columns, Number>,
-             &add_transposed_wide<n_rows, n_columns, Number>);
-    add(A, x, y);
+    run_chosen<AddTransposed<n_rows, n_columns>>(A, x, y);
   }
 
 #define CONETACT_MULTIPLY_ROWS(n_rows, n_columns, Number)                   \

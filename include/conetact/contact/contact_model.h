@@ -166,6 +166,22 @@ namespace conetact::contact
     std::unique_ptr<Elasticity> made;
     condensed::SchurWork        former_work; ///< before it was made anew
   };
+
+  /** Displacement of a node relative to what it may touch, where u displaces
+   * all dofs at time t. */
+  inline Tensor<1, 3>
+  relative_displacement(const ContactModel         &model,
+                        const pairing::ContactNode &node,
+                        const Eigen::VectorXd      &u,
+                        const double                t)
+  {
+    return relative_displacement(
+      node,
+      [&](const unsigned int body, const unsigned int i) {
+        return model.displacement(u, body, i);
+      },
+      t);
+  }
 } // namespace conetact::contact
 
 #endif
