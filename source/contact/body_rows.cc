@@ -77,18 +77,17 @@ namespace conetact::contact
   BodyRows::moved(const VectorXd &u) const
   {
     AssertDimension(u.size(), coordinates.n_dofs());
-    VectorXd   v(H.rows());
-    Index      row = 0;
-    const auto add = [&](const ContactPoint &point) {
-      const Tensor<1, 3> d = difference_of_sides(
-        *point.node, [&](const unsigned int body, const unsigned int node) {
-          return coordinates.at_node(u, body, node);
-        });
-      for (const Tensor<1, 3> &dual : point.dual)
-        v[row++] = d * dual;
-    };
+    VectorXd v(H.rows());
+    Index    row = 0;
     for (const ContactPoint &point : points.all())
-      add(point);
+      {
+        const Tensor<1, 3> d = difference_of_sides(
+          *point.node, [&](const unsigned int body, const unsigned int node) {
+            return coordinates.at_node(u, body, node);
+          });
+        for (const Tensor<1, 3> &dual : point.dual)
+          v[row++] = d * dual;
+      }
     return v;
   }
 
