@@ -5,6 +5,7 @@ import itertools
 
 from support.gmsh import gmsh_file
 from support.logs import log_of
+from support.meshes import distorted
 from support.scenes import contact, floor, joint, load, merge, support
 
 PRESSURE = 2.0
@@ -180,6 +181,24 @@ def own_sizes(laws):
     laws.demand(f"half the size has more nodes on the sole: {counts}", counts[1] > 2.5 * counts[0])
 
 
+def far_away(laws):
+    """Where maps put it, by national coordinates in metres, a block has the forces that it has at the origin."""
+    for dim, element in ((2, "Q1"), (3, "Q1"), (3, "Q1 incompatible modes")):
+        runs = []
+        for number, corner in enumerate(((0.0, 0.0, 0.0), (5e5, 5.4e6, 100.0))):
+            distorted(laws.folder / f"block-{number}.msh", dim, corner=corner)
+            push = (.2, -1.0) if dim == 2 else (.2, .1, -1.0)
+            runs.append(laws.run({"Dimension": dim, "Body block": {"Element": element, "Mesh": {"File": f"block-{number}.msh"},
+                                                                   "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+                                  "Obstacle ground": {"Shape": "half space", "Normal": (0.0,) * (dim - 1) + (1.0,), "Point": corner[:dim]},
+                                  "Contact sole": contact("block", 8 + 2 * dim, "ground", .3),
+                                  "Load top": load("traction", " ; ".join(map(repr, push)), 9 + 2 * dim)}))
+        near, far = (run.last() for run in runs)
+        what = f"far from the origin, {dim}D, {element}"
+        laws.check(f"{what}: reactions", max(abs(a[c] - b[c]) for a, b in zip(near, far) for c in ("r_n", "r_t1")), 1e-8)
+        laws.check("  their sum", abs(sum(row["r_n"] for row in far) - 1), 1e-11)
+
+
 def mesh_kinds(laws):
-    for law in (patch, deck, joined, drawings, own_sizes):
+    for law in (patch, deck, joined, drawings, own_sizes, far_away):
         law(laws)

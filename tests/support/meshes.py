@@ -20,7 +20,7 @@ def write_msh(file, dim, points, cells, faces):
     file.write_text("\n".join(out + ["$EndElements"]) + "\n")
 
 
-def distorted(file, dim, n=4, by=.25):
+def distorted(file, dim, n=4, by=.25, corner=(0.0, 0.0, 0.0)):
     """A unit cube of n^dim cells whose inner nodes, and those of the sides along them, are moved by parts of a cell."""
     rng = random.Random(7)
     counts = [n + 1] * dim + [1] * (3 - dim)
@@ -28,7 +28,7 @@ def distorted(file, dim, n=4, by=.25):
     points = []
     for at in itertools.product(*(range(c) for c in counts)):
         number[at] = len(points)
-        points.append(tuple((i + (rng.uniform(-by, by) if 0 < i < n else 0)) / n if d < dim else 0.0
+        points.append(tuple(corner[d] + (i + (rng.uniform(-by, by) if 0 < i < n else 0)) / n if d < dim else 0.0
                             for d, i in enumerate(at)))
     quad = ((0, 0), (1, 0), (1, 1), (0, 1))
     if dim == 2:

@@ -237,6 +237,8 @@ namespace conetact::bodies
       return ids.names(seen);
     }
 
+    /* deal.II computes volumes of coordinates, not of their differences: cells
+       that are far from the origin would be none. */
     template <int dim>
     void
     create_cells(const FileElements &cells,
@@ -245,15 +247,21 @@ namespace conetact::bodies
                  GroupIds           &ids,
                  Triangulation<dim> &mesh)
     {
-      const auto places = in_plane<dim>(vertices.places, where);
-      auto       data   = cell_data<dim>(cells, vertices, ids);
-      dealii::GridTools::invert_cells_with_negative_measure(places, data);
+      const auto places   = in_plane<dim>(vertices.places, where);
+      auto       relative = places;
+      for (dealii::Point<dim> &place : relative)
+        place -= places.front();
+      auto data = cell_data<dim>(cells, vertices, ids);
+      dealii::GridTools::invert_cells_with_negative_measure(relative, data);
       // simplices have no order to be found
       if (std::all_of(data.begin(), data.end(), [](const auto &cell) {
             return cell.vertices.size() == GeometryInfo<dim>::vertices_per_cell;
           }))
         dealii::GridTools::consistently_order_cells(data);
-      mesh.create_triangulation(places, data, dealii::SubCellData());
+      mesh.create_triangulation(relative, data, dealii::SubCellData());
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          cell->vertex(v) = places[cell->vertex_index(v)];
     }
 
     template <int dim>

@@ -10,18 +10,21 @@ namespace conetact::bodies
   template <int dim>
   NodeMapping<dim>::NodeMapping(const dealii::FiniteElement<dim> &element)
     : dealii::MappingFE<dim>(element)
-    , support(element.get_unit_support_points())
   {
     dealii::GridGenerator::reference_cell(one_cell, element.reference_cell());
     cell = one_cell.begin();
+    cell_at(element.get_unit_support_points());
   }
 
   template <int dim>
   std::unique_ptr<dealii::Mapping<dim>>
   NodeMapping<dim>::clone() const
   {
-    auto copy = std::make_unique<NodeMapping<dim>>(element());
-    copy->cell_at(support);
+    auto    copy   = std::make_unique<NodeMapping<dim>>(element());
+    Support places = relative;
+    for (dealii::Point<dim> &place : places)
+      place += origin;
+    copy->cell_at(places);
     return copy;
   }
 
@@ -29,8 +32,11 @@ namespace conetact::bodies
   const typename NodeMapping<dim>::Cell &
   NodeMapping<dim>::cell_at(const Support &nodes)
   {
-    AssertDimension(nodes.size(), support.size());
-    support = nodes;
+    AssertDimension(nodes.size(), element().n_dofs_per_cell());
+    origin = nodes.front();
+    relative.clear();
+    for (const dealii::Point<dim> &node : nodes)
+      relative.emplace_back(node - origin);
     // deal.II measures by its vertices how large the cell is.
     for (const unsigned int v : cell->vertex_indices())
       cell->vertex(v) = nodes[v];
@@ -46,8 +52,11 @@ namespace conetact::bodies
                                    const Data                    &data,
                                    Output                        &output) const
   {
-    return dealii::MappingFE<dim>::fill_fe_values(
+    const auto similarity = dealii::MappingFE<dim>::fill_fe_values(
       here, dealii::CellSimilarity::none, quadrature, data, output);
+    for (dealii::Point<dim> &point : output.quadrature_points)
+      point += origin;
+    return similarity;
   }
 
   /* MappingFE reads the nodes of a face's cell once, unless it has none. */
@@ -66,6 +75,8 @@ namespace conetact::bodies
     static_cast<const Kept &>(data).mapping_support_points.clear();
     dealii::MappingFE<dim>::fill_fe_face_values(
       here, face, quadrature, data, output);
+    for (dealii::Point<dim> &point : output.quadrature_points)
+      point += origin;
   }
 
   template class NodeMapping<2>;

@@ -23,7 +23,8 @@ namespace conetact::bodies
    *
    * FEValues needs a cell of a Triangulation. That of a large body takes more
    * memory than all else the body has, and is forgotten; one cell stands for
-   * all.
+   * all. It computes with places relative to the first node: gradients are as
+   * exact far from the origin as they are near it.
    */
   template <int dim>
   class NodeMapping : public dealii::MappingFE<dim>
@@ -54,7 +55,7 @@ namespace conetact::bodies
     Support
     compute_mapping_support_points(const Cell &) const override
     {
-      return support;
+      return relative;
     }
     dealii::CellSimilarity::Similarity
     fill_fe_values(const Cell                              &cell,
@@ -72,7 +73,8 @@ namespace conetact::bodies
 
     dealii::Triangulation<dim> one_cell;
     Cell                       cell;
-    Support                    support;
+    dealii::Point<dim>         origin;   ///< the first node
+    Support                    relative; ///< places of nodes seen from there
   };
 } // namespace conetact::bodies
 
