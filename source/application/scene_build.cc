@@ -10,6 +10,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
+#include "conetact/contact/common_turns.h"
 #include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/contact/preloads.h"
@@ -221,6 +222,7 @@ namespace conetact::application
     pairings = choice.pair(adjusted_contacts);
     n_shared = choice.n_shared();
     keep_nodes(contacts, bodies);
+    contact::keep_common_turns_free(bodies);
     contact::give_up_held_nodes(bodies);
   }
 

@@ -10,17 +10,47 @@ from support.vectors import apply, rotation
 
 
 def shortest_way_out(laws):
-    """A ring of 12 facets turns in another one until it fits; friction has nothing to say, nor has any common turn."""
+    """A ring of 12 facets turns in another one until it fits, unless friction jams it; a common turn has no say in either."""
     turns = []
     for mu, young in ((0, 1.0), (.05, 3.8), (.5, 3.8), (2, 3.8), (.5, 1.0)):
         run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.04, young=1.0), "Body hub": ring(1.0, 2.0, degrees=12, young=young),
                         "Contact joint": contact("hub", 0, "", mu, **{"Master body": "shaft", "Master boundary ids": 1,
                                                                       "Largest interference": .1, "Pairing": "node to face"}),
                         "Output": {"VTU": 0}})
-        laws.demand(f"mu {mu}, E {young}: no force", run.largest("r_n") == 0)
-        turns.append(sorted(row["u_t1"] for row in run.last()))
+        what = f"mu {mu}, E {young}"
+        if mu < .1:
+            laws.demand(f"{what}: no force", run.largest("r_n") == 0)
+            turns.append(sorted(row["u_t1"] for row in run.last()))
+            continue
+        rows, end = run.last(), run.increments[-1]
+        forces = sorted(row["r_n"] for row in rows)  # of three nodes a facet
+        most = forces[-1]
+        laws.check(f"{what}: pressures of 12 equal facets", max(b - a for a, b in zip(forces[::12], forces[11::12])) / most, 1e-9)
+        laws.check("  friction within its cone", max(abs(row["r_t1"]) - mu * row["r_n"] for row in rows) / most, 1e-12)
+        laws.check("  what is left of forces and moment", max(abs(end[f"joint_{c}"]) for c in ("f_x", "f_y", "m_z")) / most, 1e-9)
+        laws.check("  the largest way, over the interference", run.largest("u_t1", "u_n") / .04, 1)
     laws.check("slips of all nodes, whatever friction and stiffness",
                max(abs(u - v) for turn in turns for u, v in zip(turn, turns[0])) / abs(turns[0][0]), 1e-9)
+
+
+def fit_that_floats(laws):
+    """A shaft pressed into a hub of other facets, which nothing holds: friction carries a torque from one to the other and turns
+    neither, however the scene is turned."""
+    torque = .002
+    for pairing in ("mortar", "node to face"):
+        pressures = []
+        for degrees in (0.0, 33.0):
+            run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.0, 16, degrees), "Body hub": ring(1.0, 2.0, 12, degrees + 7),
+                            "Contact joint": contact("hub", 0, "", .3, **{"Master body": "shaft", "Master boundary ids": 1,
+                                                                          "Gap": "-1e-3*min(t, 1)", "Pairing": pairing}),
+                            "Load shaft": load("moment", f"{torque}*max(t - 1, 0)", 0, "shaft", Coupling="distributing"),
+                            "Load hub": load("moment", f"-{torque}*max(t - 1, 0)", 1, "hub", Coupling="distributing"),
+                            "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}})
+            what = f"{pairing}, turned by {degrees:g}"
+            laws.check(f"{what}: moment of the joint", abs(run.increments[-1]["joint_m_z"] / torque - 1), 1e-9)
+            laws.check("  how far it moves, over the interference", run.largest("u_n", "u_t1") / 1e-3, 2)
+            pressures.append(sorted(row["r_n"] for row in run.last()))
+        laws.check(f"{pairing}: pressures of both", max(abs(a - b) for a, b in zip(*pressures)) / pressures[0][-1], 1e-8)
 
 
 def shortest_way(laws):
@@ -94,6 +124,7 @@ def bodies(laws):
     nearby_wall(laws)
     slips_to_both_sides(laws)
     shortest_way_out(laws)
+    fit_that_floats(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)
         right = press_and_shear(dim, mu=.5, young=70.0)
