@@ -162,13 +162,21 @@ namespace conetact
 
   std::vector<FileMesh::Element>
   split_into_simplices(const FileMesh                               &mesh,
-                       const std::vector<const FileMesh::Element *> &elements)
+                       const std::vector<const FileMesh::Element *> &elements,
+                       const bool                                    joined)
   {
     std::vector<FileMesh::Element> result;
     for (const FileMesh::Element *element : elements)
       {
         if (is_simplex(*element) && is_collapsed(element->nodes))
-          continue; // its points were joined, nothing is left of it
+          {
+            if (!joined)
+              throw FileFault{"the cell with a corner at " +
+                              to_text(mesh.points[element->nodes[0]]) +
+                              " has a node twice: nothing is left of it, and "
+                              "its neighbours do not meet. Mesh it again"};
+            continue;
+          }
         std::vector<Corners> pieces = {element->nodes};
         if (element->dim == 2 && !is_simplex(*element))
           pieces = split_quadrilateral(element->nodes);

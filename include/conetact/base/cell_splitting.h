@@ -22,11 +22,14 @@ namespace conetact
    * and without middle nodes, which stay those of the elements: each edge of
    * the pieces is an edge of the element, or a diagonal. Diagonals of
    * quadrilaterals go through the node with the smallest number, so that
-   * neighbours fit each other. Throws FileFault where an element is folded.
+   * neighbours fit each other. Throws FileFault where an element is folded, or
+   * is a simplex that has a node twice, unless nodes have been joined: nothing
+   * is left of such a one then.
    */
   std::vector<FileMesh::Element>
   split_into_simplices(const FileMesh                               &mesh,
-                       const std::vector<const FileMesh::Element *> &elements);
+                       const std::vector<const FileMesh::Element *> &elements,
+                       const bool                                    joined);
 } // namespace conetact
 
 #endif

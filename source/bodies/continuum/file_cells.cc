@@ -347,11 +347,12 @@ namespace conetact::bodies
                          cell_name(dim, false) + " only or of " +
                          cell_name(dim, true) +
                          " only, or set Mixed cells = split.");
-      taken->own_cells = split_into_simplices(file, cells);
-      taken->own_faces = split_into_simplices(file, taken->faces);
-      taken->cells     = pointers(taken->own_cells);
-      taken->faces     = pointers(taken->own_faces);
-      taken->note      = kinds + " split into " +
+      const bool joined = parameters.merge > 0; // and cells with their nodes
+      taken->own_cells  = split_into_simplices(file, cells, joined);
+      taken->own_faces  = split_into_simplices(file, taken->faces, joined);
+      taken->cells      = pointers(taken->own_cells);
+      taken->faces      = pointers(taken->own_faces);
+      taken->note       = kinds + " split into " +
                     std::to_string(taken->cells.size()) + " " +
                     cell_name(dim, true);
       return taken;

@@ -168,6 +168,68 @@ namespace conetact::bodies
           }
     }
 
+    /** The corner of a simplex that a face of it does not have. */
+    template <int dim, class Cell>
+    dealii::Point<dim>
+    corner_off_face(const Cell &cell, const unsigned int face)
+    {
+      const auto corners = cell->face(face)->vertex_indices();
+      const auto indices = cell->vertex_indices();
+      return cell->vertex(*std::find_if(
+        indices.begin(), indices.end(), [&](const unsigned int v) {
+          return std::none_of(corners.begin(),
+                              corners.end(),
+                              [&](const unsigned int c) {
+                                return cell->face(face)->vertex_index(c) ==
+                                       cell->vertex_index(v);
+                              });
+        }));
+    }
+
+    /** Of the edges from a corner of a face to its others and to p: above zero
+     * on the one side of it. */
+    template <int dim, class Face>
+    double
+    side_of(const Face &face, const dealii::Point<dim> &p)
+    {
+      dealii::Tensor<2, dim> edges;
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        edges[d] = face->vertex(d + 1) - face->vertex(0);
+      edges[dim - 1] = p - face->vertex(0);
+      return determinant(edges);
+    }
+
+    /** Simplices on the same side of their face lie over each other. Folded
+     * quadrilaterals and hexahedra are seen at their corners. */
+    template <int dim>
+    void
+    check_sides_of_faces(const Triangulation<dim> &mesh,
+                         const MeshParameters     &parameters)
+    {
+      if (!mesh.all_reference_cells_are_simplex())
+        return;
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (cell->at_boundary(f) || cell->neighbor(f) < cell)
+              continue;
+            const auto         face  = cell->face(f);
+            const auto         other = cell->neighbor(f);
+            const unsigned int back  = cell->neighbor_of_neighbor(f);
+            if (side_of(face, corner_off_face<dim>(cell, f)) *
+                  side_of(face, corner_off_face<dim>(other, back)) <
+                0)
+              continue;
+            throw InputError(
+              parameters.where + "File: in '" + parameters.file.string() +
+              "' two cells lie on the same side of the " +
+              (dim == 2 ? "edge" : "face") + " at " +
+              to_text(dealii::Tensor<1, 3>(to_space(face->center()))) +
+              " that they share, over each other: a node is out of its place. "
+              "Mesh it again.");
+          }
+    }
+
     /** It asks the coarse cells of the mesh that it was made for. Inside of
      * simplices, where such manifolds are, edges are straight. */
     template <int dim>
@@ -248,6 +310,7 @@ namespace conetact::bodies
       {
         groups = read_mesh_file(parameters, *mesh, nodes);
         check_shared_faces(*mesh, parameters);
+        check_sides_of_faces(*mesh, parameters);
       }
     settle_cells(mesh, parameters, nodes);
     return mesh;

@@ -15,6 +15,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <cctype>
 #include <fstream>
 #include <sstream>
 
@@ -186,13 +187,44 @@ namespace conetact::bodies
       return file;
     }
 
+    bool
+    has_word(const std::string &text, const std::string &word)
+    {
+      const auto is_part = [](const char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+      };
+      for (std::size_t at = text.find(word); at != std::string::npos;
+           at             = text.find(word, at + 1))
+        {
+                      const std::size_t end = at + word.size();
+                      if ((at == 0 || !is_part(text[at - 1])) &&
+              (end == text.size() || !is_part(text[end])))
+            return true;
+        }
+      return false;
+    }
+
+    /** Whether a value may be given to it from outside: a plain assignment in
+     * the drawing would overwrite that. */
+    bool
+    lets_define(const std::string &drawing, const std::string &constant)
+    {
+      for (const std::string command : {"DefineConstant", "Exists"})
+        for (std::size_t at = drawing.find(command); at != std::string::npos;
+             at             = drawing.find(command, at + 1))
+          if (has_word(drawing.substr(at, drawing.find(';', at) - at),
+                       constant))
+            return true;
+      return false;
+    }
+
     /** A name that the drawing does not have would be passed over. */
     void
     check_constants(const MeshFile &file, const MeshParameters &parameters)
     {
       for (const auto &[name, value] : parameters.wishes.constants)
         if (file.extension != "geo" ||
-            (file.contents.find(name) == std::string::npos &&
+            (!lets_define(file.contents, name) &&
              file.contents.find("Include") == std::string::npos))
           throw InputError(parameters.where + "Parameters: '" + file.name +
                            "' has no constant '" + name +

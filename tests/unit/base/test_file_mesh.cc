@@ -78,7 +78,7 @@ namespace conetact::test
             mesh.points[order[i]] = places[i];
           mesh.elements = {{3, order, {7}}};
           const auto pieces =
-            split_into_simplices(mesh, pointers(mesh.elements));
+            split_into_simplices(mesh, pointers(mesh.elements), false);
           double sum = 0;
           for (const FileMesh::Element &piece : pieces)
             {
@@ -111,7 +111,7 @@ namespace conetact::test
     std::swap(mesh.points[4], mesh.points[5]);
     mesh.elements = {{3, {0, 1, 2, 3, 4, 5}, {}}};
     EXPECT_TRUE(are_mixed(pointers(mesh.elements)));
-    EXPECT_THROW(split_into_simplices(mesh, pointers(mesh.elements)),
+    EXPECT_THROW(split_into_simplices(mesh, pointers(mesh.elements), false),
                  FileFault);
   }
 
@@ -127,7 +127,7 @@ namespace conetact::test
     EXPECT_TRUE(are_mixed(pointers(mesh.elements)));
     double sum = 0;
     for (const auto &piece :
-         split_into_simplices(mesh, pointers(mesh.elements)))
+         split_into_simplices(mesh, pointers(mesh.elements), false))
       sum += volume(mesh, piece);
     EXPECT_NEAR(sum, .5, 1e-15);
   }
