@@ -95,6 +95,7 @@ namespace conetact::analysis
     check_empty_contacts(scene, model, log);
     warn_of_tied_gaps(scene, model, log);
     say_doubled_nodes(scene, log);
+    say_what_is_not_refined(scene, log);
     notices.say_start(log);
   }
 

@@ -289,7 +289,7 @@ namespace conetact::analysis
           first = first == nullptr ? &node.n : first;
         }
     return facets[c].largest_of_slave() > 0 ||
-           facets[c].largest_of_master() > 0;
+           facets[c].largest_of_master() > 0 || patterns.at(c).is_bent();
   }
 
   void
@@ -304,8 +304,9 @@ namespace conetact::analysis
       "contact '" + contacts.contact(c).name + "': what presses is narrower " +
       "than cells resolve: only " + std::to_string(n) +
       (n == 1 ? " node presses" : " nodes press, none of them between others") +
-      ". Its force is right, but its pressures depend on the mesh. Where they "
-      "matter use smaller cells, at least four across what presses.";
+      ". Its force is right, but its pressures, and how it resists rolling, "
+      "depend on the mesh. Where they matter use smaller cells, at least four "
+      "across what presses.";
   }
 
   std::string

@@ -82,4 +82,19 @@ namespace conetact::analysis
       }
     warn(sentences, log);
   }
+
+  void
+  say_what_is_not_refined(const application::Scene &scene, Log &log)
+  {
+    if (scene.adaptive.cycles == 0)
+      return;
+    for (unsigned int b = 0; b < scene.bodies.n_elastic(); ++b)
+      if (const bodies::Structure &body = *scene.bodies.structures[b];
+          !body.can_be_refined() && body.elements().count().elements > 0)
+        log.say("warning: body '" + scene.bodies.names[b] +
+                "': Adaptive refinement leaves triangles and tetrahedra as "
+                "they are, and the estimated error does not count theirs. "
+                "Use quadrilaterals or hexahedra for it, or Global "
+                "refinements.");
+  }
 } // namespace conetact::analysis

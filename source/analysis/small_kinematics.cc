@@ -221,8 +221,10 @@ namespace conetact::analysis
         const bool open = i < points.size() && end.increment.state.node[i] ==
                                                  solvers::NodeState::open;
         // A node that is tied to an obstacle goes with it, wherever that goes.
+        // A mean that slides is found anew over all of its faces.
         if (node.obstacle == nullptr || node.spring ||
-            node.kind == pairing::ContactKind::tie)
+            node.kind == pairing::ContactKind::tie ||
+            (node.slides && !node.slaves.empty()))
           continue;
         // A closed node claims a gap of zero, but for what gives way.
         moved[node.contact].push_back(

@@ -51,5 +51,14 @@ namespace conetact::application
                     }))
       throw InputError("Adaptive refinement: no body has a mesh to refine, "
                        "frames keep their members. Set it to 0.");
+    if (settings.cycles > 0 && std::none_of(bodies.begin(),
+                                            bodies.end(),
+                                            [](const bodies::Structure *body) {
+                                              return body->can_be_refined();
+                                            }))
+      throw InputError("Adaptive refinement: no body has cells that can be "
+                       "divided one by one, triangles and tetrahedra are "
+                       "refined everywhere only. Set it to 0 and use Global "
+                       "refinements, or use quadrilaterals or hexahedra.");
   }
 } // namespace conetact::application

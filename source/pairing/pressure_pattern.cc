@@ -7,6 +7,7 @@
 #include "conetact/pairing/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact::pairing
 {
@@ -100,6 +101,26 @@ namespace conetact::pairing
                                                return at(pressures, other) > 0;
                                              });
                         });
+  }
+
+  bool
+  PressurePattern::is_bent() const
+  {
+    constexpr double parallel = 1 - 1e-5; // cosine of a quarter degree
+    const double     sharp    = std::cos(bodies::angle_of_patches);
+    return std::any_of(
+      neighbours.begin(), neighbours.end(), [&](const auto &entry) {
+        const Tensor<1, 3> &own = entry.second.sum;
+        return std::any_of(entry.second.nodes.begin(),
+                           entry.second.nodes.end(),
+                           [&](const unsigned int node) {
+                             const Tensor<1, 3> &other =
+                               neighbours.at(node).sum;
+                             const double cosine =
+                               own * other / (own.norm() * other.norm());
+                             return cosine < parallel && cosine > sharp;
+                           });
+      });
   }
 
   /* Nodes inside of a smooth surface that press while none of their neighbours

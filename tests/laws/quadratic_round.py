@@ -10,7 +10,7 @@ import math
 
 from support import half_space, round_tetrahedra
 from support.half_space import MU, STICK
-from support.scenes import joint, load, merge, support
+from support.scenes import box, contact, joint, load, merge, support
 
 CIRCLE = (16, 32, 64)  # corners a circle
 
@@ -62,6 +62,7 @@ def rings(laws):
 def vees(laws):
     """A disc that lies in a vee of 90 degrees and is pressed into it. It starts where it is drawn to touch, so both flanks' friction holds
     it: N (1 + mu) sqrt(2) = W, however little it is pressed."""
+    drawn_balls(laws)
     mu = .2
     for element, facing in itertools.product(("Q2", "P2"), ("obstacles", "bodies")):
         for around, weight in ((16, 1.0), (16, 1e-3), (32, 1e-2)):
@@ -164,6 +165,25 @@ def balls(laws):
         run = laws.run(round_tetrahedra.on_ball(laws.folder, (1 / 8, 1 / other)))
         rows = [row for row in run.rows if row["contact"] == "joint"]
         check(laws, f"8 corners a half width on {other}", round_tetrahedra.pressure_errors(rows, exact, 4), BOUNDS)
+
+
+def drawn_balls(laws):
+    """A rigid ball that is pressed into a slab and drawn along it, by more than cells: linear and quadratic cells tell of the same force,
+    and friction of all that presses is about its coefficient."""
+    ends = {}
+    for element, cells in (("P1", (16, 8, 6)), ("P2", (8, 4, 3)), ("Q2", (8, 4, 3))):
+        body = box(cells, (16.0, 8.0, 6.0), (-8.0, -4.0, -6.0), 100.0)
+        run = laws.run({"Dimension": 3, "Body slab": merge(body, {"Element": element}),
+                        "Obstacle ball": {"Shape": "sphere", "Center": (-2.0, 0.0, 10.0), "Radius": 10.0,
+                                          "Displacement": "4*max(t - 1, 0) ; 0 ; -min(t, 1)"},
+                        "Contact sole": contact("slab", 5, "ball", .3, Kinematics="finite sliding"),
+                        "Support base": support(4, "x, y, z", "0 ; 0 ; 0", "slab"), "Time": {"Stages": "1 : 2, 2 : 4"}, "Output": {"VTU": 0}})
+        end = run.increments[-1]
+        force = [end[f"sole_f_{c}"] for c in "xyz"]
+        laws.check(f"{element}: what the support carries", max(abs(f + end[f"supports_f_{c}"]) for f, c in zip(force, "xyz")) / abs(force[2]), 1e-9)
+        laws.check("  friction over its coefficient", abs(abs(force[0] / force[2]) / .3 - 1), .1)
+        ends[element] = abs(force[2])
+    laws.check("forces of linear and quadratic cells", max(ends.values()) / min(ends.values()) - 1, .08)
 
 
 def sheared_balls(laws):

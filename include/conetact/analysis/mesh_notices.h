@@ -15,6 +15,9 @@ namespace conetact::analysis
    */
   void
   say_doubled_nodes(const application::Scene &scene, Log &log);
+  /** Warns of bodies that stay as they are where meshes are refined. */
+  void
+  say_what_is_not_refined(const application::Scene &scene, Log &log);
 } // namespace conetact::analysis
 
 #endif

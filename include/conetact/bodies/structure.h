@@ -255,6 +255,12 @@ namespace conetact::bodies
     virtual const Elements &
     elements() const = 0;
 
+    /** Whether single elements may be divided. */
+    virtual bool
+    can_be_refined() const
+    {
+      return false;
+    }
     /**
      * Estimated errors of the displacements u (all dofs), one for each element
      * in their order: squares of their energy norms, up to a factor

@@ -45,6 +45,9 @@ namespace conetact::pairing
      */
     bool
     is_thin(const Pressures &pressures) const;
+    /** Whether faces beside each other turn, by less than edges do. */
+    bool
+    is_bent() const;
 
   private:
     struct Around

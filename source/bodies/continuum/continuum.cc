@@ -372,11 +372,17 @@ namespace conetact::bodies
   }
 
   template <int dim>
+  bool
+  Continuum<dim>::can_be_refined() const
+  {
+    return !element->reference_cell().is_simplex();
+  }
+
+  template <int dim>
   std::vector<double>
   Continuum<dim>::element_errors(const Eigen::VectorXd &u) const
   {
-    if (element->reference_cell().is_simplex() ||
-        !discretization) // nothing can be refined
+    if (!can_be_refined() || !discretization)
       return {};
     std::vector<double> errors = squared_jumps(*discretization, u);
     for (const auto &cell :

@@ -129,6 +129,8 @@ namespace conetact::bodies
     /** The middle of a cell that is bent so much that it is folded, if any. */
     std::optional<Point<3>>
     folded_cell() const;
+    bool
+    can_be_refined() const override;
     std::vector<double>
     element_errors(const Eigen::VectorXd &u) const override;
     void
