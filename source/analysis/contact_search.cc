@@ -69,6 +69,58 @@ namespace conetact::analysis
     return linearised(find_there(u, t, keep_faced));
   }
 
+  namespace
+  {
+    using Weights = std::vector<std::pair<unsigned int, double>>;
+
+    Weights
+    between(const Weights &one, const Weights &other, const double part)
+    {
+      std::map<unsigned int, double> sum;
+      for (const auto &[node, weight] : one)
+        sum[node] += (1 - part) * weight;
+      for (const auto &[node, weight] : other)
+        sum[node] += part * weight;
+      return {sum.begin(), sum.end()};
+    }
+
+    Weights
+    slaves_of(const pairing::ContactNode &node)
+    {
+      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
+    }
+  } // namespace
+
+  /* A row between two: its gap is between theirs whatever the displacement. */
+  void
+  ContactSearch::go_part_of_the_way(const pairing::ContactNode &last,
+                                    const Eigen::VectorXd      &u,
+                                    const double                part,
+                                    pairing::ContactNode       &node) const
+  {
+    const auto moved = [&](const pairing::ContactNode &row) {
+      Tensor<1, 3> sum;
+      pairing::for_each_side(row,
+                             [&](const unsigned int body,
+                                 const unsigned int i,
+                                 const double       weight) {
+                               sum += weight * model.displacement(u, body, i);
+                             });
+      return sum;
+    };
+    const double gap_of_last = last.gap + last.n * moved(last);
+    node.n                   = last.n + part * (node.n - last.n);
+    node.n /= node.n.norm();
+    if (node.obstacle != nullptr || node.meets_nothing() ||
+        last.meets_nothing() || node.master != last.master)
+      return;
+    node.gap     = (1 - part) * gap_of_last + part * node.gap;
+    node.masters = between(last.masters, node.masters, part);
+    if (!node.slaves.empty() || !last.slaves.empty())
+      node.slaves = between(slaves_of(last), slaves_of(node), part);
+    node.moved = moved(node);
+  }
+
   ContactSearch::Found
   ContactSearch::find_between(const Eigen::VectorXd &u,
                               const double           t,
@@ -78,12 +130,9 @@ namespace conetact::analysis
     Found  found = find_there(u, t, /*keep_faced=*/true);
     Nodes &nodes = found.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
-          nodes[i].slides && nodes[i].n * last > 0)
-        {
-          nodes[i].n = last + part * (nodes[i].n - last);
-          nodes[i].n /= nodes[i].n.norm();
-        }
+      if (const pairing::ContactNode &last = model.points.nodes()[i];
+          nodes[i].slides && nodes[i].n * last.n > 0)
+        go_part_of_the_way(last, u, part, nodes[i]);
     return linearised(std::move(found));
   }
 

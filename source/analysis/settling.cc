@@ -23,9 +23,10 @@ namespace conetact::analysis
   Failure
   Settling::settle(PendingIncrement &increment)
   {
-    constexpr unsigned int most       = 30;
-    constexpr double       exact      = 1e-9;
-    constexpr double       least_turn = 1e-3; // where the rest is not exact
+    constexpr unsigned int most           = 30;
+    constexpr double       exact          = 1e-9;
+    constexpr double       least_turn     = 1e-3; // where the rest is not exact
+    constexpr double       nearly_settled = 1e-2;
     constexpr double       strain = 1e-4; // what false ones are compared with
     double                 before = std::numeric_limits<double>::max();
     unsigned int           n_slow = 1;
@@ -66,9 +67,13 @@ namespace conetact::analysis
                   false,
                   true};
         run.model.frames.move(moved);
-        if (is_slow || n_slow > 1) // from now on
+        n_slow += is_slow;
+        if (n_slow > 1) // from now on
           found =
-            solver.search.find_between(u, increment.record.time, 1. / ++n_slow);
+            solver.search.find_between(u,
+                                       increment.record.time,
+                                       error < nearly_settled ? 1. :
+                                                                1. / n_slow);
         if (const Failure failure =
               solver.solve_with(std::move(found), increment))
           return {failure.why, failure.unsolved, true};
@@ -138,18 +143,21 @@ namespace conetact::analysis
   Settling::say_unsettled(const model::IncrementRecord &record,
                           const pairing::FoundChange   &change)
   {
+    constexpr double  worth_a_word = 1e-6;
     const std::string sentence =
       run.increment_name(record) + " (t = " + to_text(record.time) +
       "): contacts that slide are found elsewhere again and again, as where "
       "facets meet. Those taken are off by " +
       to_text(change.gap) + " of a cell in their gaps, by " +
       to_text(change.force) + " of the largest reaction in their directions";
-    if (has_said)
-      run.log.note(sentence);
-    else
-      run.log.say("warning: " + sentence +
-                  ". Use smoother surfaces or Pairing = mortar, or smaller "
-                  "increments; others are told in log.txt.");
+    if (has_said || std::max(change.gap, change.force) < worth_a_word)
+      {
+        run.log.note(sentence);
+        return;
+      }
+    run.log.say("warning: " + sentence +
+                ". Use smoother surfaces or Pairing = mortar, or smaller "
+                "increments; others are told in log.txt.");
     has_said = true;
   }
 } // namespace conetact::analysis

@@ -36,6 +36,9 @@ namespace conetact::pairing
      * overhang, in sizes of its face. Without the difference, contacts that
      * slide would be found with the node and without it in turn. */
     constexpr double face_overhang_of_faced = .1;
+    /** Where nodes have faced the master, faces are opposed up to so many times
+     * the angle: those that turn by just this angle would be found by turns. */
+    constexpr double turn_of_faced = 2;
     /**
      * Dual functions change their sign: where little of a face is seen, the
      * mean gap that they weigh may be below all gaps there. This part of the
@@ -207,10 +210,10 @@ namespace conetact::pairing
       MasterSurface::Limits
       limits(const double face_size) const
       {
+        const double opposed =
+          .5 * contact.sharp_edge * (faced.empty() ? 1. : turn_of_faced);
         return {contact.reach,
-                std::cos(
-                  std::min(contact.largest_angle, .5 * contact.sharp_edge)) -
-                  1e-12,
+                std::cos(std::min(contact.largest_angle, opposed)) - 1e-12,
                 interference_allowed(contact, face_size),
                 contact.body != contact.master};
       }

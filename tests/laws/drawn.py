@@ -74,6 +74,28 @@ def halved(laws):
                max(abs(run[-1][c] / runs[-1][-1][c] - 1) for run in runs for c in ("bottom_f_x", "bottom_f_y")), 1e-9)
 
 
+def deep(laws):
+    """A roller that is pressed deep into a soft slab, which is the slave, and drawn along it: beside what presses its faces look away by as
+    much as faces may that meet. Linear and quadratic cells tell of the same force, and friction of all that slips is about its coefficient."""
+    forces = []
+    for element, cells, refinements in (("Q1", (12, 4), 3), ("Q1", (16, 6), 4), ("Q2", (12, 4), 3)):
+        roller = {"Element": element, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3},
+                  "Mesh": {"Generator": "hyper_ball", "Arguments": "0, 10 : 10 : true", "Global refinements": refinements,
+                           "Boundary ids": "7 : y < 8 ; 8 : y >= 12"}}
+        run = laws.run({"Dimension": 2, "Body slab": merge(box(cells, (24.0, 8.0), (-12.0, -8.0), 100.0), {"Element": element}),
+                        "Body roller": roller,
+                        "Contact joint": joint("slab", 3, "roller", 7, **{"Friction coefficient": .3, **FAR}),
+                        "Support base": support(2, "x, y", "0 ; 0", "slab"),
+                        "Support top": support(8, "x, y", "2*max(t - 1, 0) ; -1.6*min(t, 1)", "roller"),
+                        "Time": {"Stages": "1 : 2, 3 : 6"}, "Output": {"VTU": 0}})
+        end = run.increments[-1]
+        what = f"drawn deep in a slab, {element}, {cells[0]} cells"
+        laws.check(f"{what}: what supports carry", max(abs(end[f"supports_f_{c}"]) for c in "xy") / abs(end["joint_f_y"]), 1e-9)
+        laws.check("  friction over its coefficient", abs(abs(end["joint_f_x"] / end["joint_f_y"]) / .3 - 1), .02)
+        forces.append(abs(end["joint_f_y"]))
+    laws.check("  forces of three meshes", max(forces) / min(forces) - 1, .02)
+
+
 def turned_whole(scene, axis, degrees):
     """The same scene, bodies and supports turned about the origin."""
     dim, m = scene["Dimension"], rotation(axis, degrees)
@@ -121,5 +143,5 @@ def round_table(laws):
 
 
 def drawn_family(laws):
-    for family in (disc, ironing, halved, turned, round_table):
+    for family in (disc, ironing, halved, deep, turned, round_table):
         family(laws)

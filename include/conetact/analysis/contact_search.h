@@ -58,9 +58,9 @@ namespace conetact::analysis
          const double           t,
          const bool             keep_faced = false) const;
     /**
-     * The same, but normals go only a part of the way from those that the model
+     * The same, but rows go only a part of the way from those that the model
      * has. On the edge between two facets each of them leads to the other one;
-     * what holds there is a normal between theirs. Nodes at a rim are kept.
+     * what holds there is a row between theirs. Nodes at a rim are kept.
      */
     Found
     find_between(const Eigen::VectorXd &u,
@@ -127,6 +127,11 @@ namespace conetact::analysis
                const bool             keep_faced) const;
     Found
     linearised(Found found) const;
+    void
+    go_part_of_the_way(const pairing::ContactNode &last,
+                       const Eigen::VectorXd      &u,
+                       const double                part,
+                       pairing::ContactNode       &node) const;
 
     pairing::SlidingContacts contacts;
     contact::ContactModel   &model;

@@ -39,8 +39,10 @@ namespace conetact::pairing
   pair_by_mortar(const Contact                                &contact,
                  const std::vector<const bodies::Structure *> &structures);
 
-  /** The same of a contact that slides, and of which these slave nodes faced
-   * the master last: they do until they are a tenth of a face beyond its rim.
+  /**
+   * The same of a contact that slides, and of which these slave nodes faced the
+   * master last: they do until they are a tenth of a face beyond its rim, and
+   * faces meet up to the whole angle of a sharp edge in place of half of it.
    */
   PairedNodes
   pair_by_mortar(const Contact                                &contact,
