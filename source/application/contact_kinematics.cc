@@ -20,6 +20,22 @@ namespace conetact::application
   {
     constexpr const char *kept_sliding = "sliding contacts";
 
+    /** Least and largest gap of a contact's nodes at the start. */
+    void
+    take_gaps(const std::vector<pairing::ContactNode> &nodes,
+              const unsigned int                       contact,
+              pairing::Pairing                        &found)
+    {
+      std::vector<double> gaps;
+      for (const pairing::ContactNode &node : nodes)
+        if (node.contact == contact && !node.meets_nothing())
+          gaps.push_back(pairing::gap_at_start(node));
+      if (gaps.empty())
+        return;
+      found.least_gap   = *std::min_element(gaps.begin(), gaps.end());
+      found.largest_gap = *std::max_element(gaps.begin(), gaps.end());
+    }
+
     bool
     slides_in_continued_run(const Restart &run, const unsigned int contact)
     {
@@ -194,12 +210,9 @@ namespace conetact::application
                              found.nodes);
         scene.bodies.contact_nodes = std::move(found.nodes);
         for (unsigned int c = 0; c < scene.contacts.size(); ++c)
-          {
-            const double lift = pairing::lift_convex_faces(
-              scene.contacts[c], c, structures, scene.bodies.contact_nodes);
-            found.pairings[c].least_gap += lift;
-            found.pairings[c].largest_gap += lift;
-          }
+          if (pairing::lift_convex_faces(
+                scene.contacts[c], c, structures, scene.bodies.contact_nodes))
+            take_gaps(scene.bodies.contact_nodes, c, found.pairings[c]);
         for (const unsigned int c : adjusted)
           pairing::adjust_gaps(scene.contacts[c],
                                c,

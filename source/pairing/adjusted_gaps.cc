@@ -27,9 +27,20 @@ namespace conetact::pairing
         return size <= margin ? 0 : gap;
       return std::copysign(ramp * (size - margin) / (ramp - 1), gap);
     }
+    /** By as much as all, where its mean is below its own gap by half of that
+     * at least; where faces are plane there is no such difference. */
+    void
+    lift_node(ContactNode &node, const double lift)
+    {
+      constexpr double enough = .5;
+      const double     bent =
+        node.own_gap ? (*node.own_gap - node.gap) / enough : lift;
+      if (const double by = std::clamp(bent, 0., lift); by > 0)
+        node.growth = [by](const double) { return by; };
+    }
   } // namespace
 
-  double
+  bool
   lift_convex_faces(const Contact                                &contact,
                     const unsigned int                            number,
                     const std::vector<const bodies::Structure *> &structures,
@@ -49,10 +60,11 @@ namespace conetact::pairing
             if (below > facet_margin * facets->around(node))
               lift = below;
           }
-    for (ContactNode &node : nodes)
-      if (node.contact == number && lift > 0)
-        node.growth = [lift](const double) { return lift; };
-    return lift;
+    if (lift > 0)
+      for (ContactNode &node : nodes)
+        if (node.contact == number)
+          lift_node(node, lift);
+    return lift > 0;
   }
 
   /* A gap that is adjusted stays the drawn one, and grows by the difference

@@ -5,33 +5,23 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
+
 namespace conetact::pairing
 {
-  Tensor<1, 3>
-  normal_between(const Tensor<1, 3> &outward, const Tensor<1, 3> &of_master)
-  {
-    Assert(std::abs(outward.norm() - 1) < 1e-6,
-           dealii::ExcMessage("Normals have unit length."));
-    constexpr double opposite = .5; // cosine: beyond, they do not face
-    // Where both sides look the same way, as around the rim of a master, its
-    // normal says nothing: that of the slave counts alone.
-    if (of_master * outward > -opposite * of_master.norm() ||
-        of_master.norm() == 0)
-      return -outward;
-    // The normal points from the master to the slave, half way between that out
-    // of the master and that into the slave.
-    const Tensor<1, 3> n = of_master / of_master.norm() - outward;
-    return n / n.norm();
-  }
-
-  MasterNormals::MasterNormals(const bodies::Surface &master)
+  MasterNormals::MasterNormals(const bodies::Surface            &master,
+                               const std::vector<FaceNet::Face> &slave_faces,
+                               const std::vector<FaceNet::Face> &master_faces,
+                               const double                      sharp_edge)
+    : slave_edges(slave_faces, std::cos(sharp_edge))
+    , master_edges(master_faces, std::cos(sharp_edge))
   {
     for (const bodies::SurfaceNode &node : master.nodes)
       normals[node.node] = node.normals;
   }
 
   Tensor<1, 3>
-  MasterNormals::between(
+  MasterNormals::mean(
     const Tensor<1, 3>                                 &outward,
     const std::vector<std::pair<unsigned int, double>> &masters) const
   {
@@ -46,6 +36,32 @@ namespace conetact::pairing
           if (nearest != nullptr)
             sum += weight * *nearest;
         }
-    return normal_between(outward, sum);
+    return sum;
+  }
+
+  Tensor<1, 3>
+  MasterNormals::between(
+    const unsigned int                                  node,
+    const Tensor<1, 3>                                 &outward,
+    const std::vector<std::pair<unsigned int, double>> &masters,
+    const Tensor<1, 3>                                 &of_bent) const
+  {
+    Assert(std::abs(outward.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
+    constexpr double   opposite = .5; // cosine: beyond, they do not face
+    const Tensor<1, 3> of_master =
+      of_bent.norm() > 0 ? of_bent : mean(outward, masters);
+    // Where both sides look the same way, as around the rim of a master, its
+    // normal says nothing: that of the slave counts alone.
+    if (of_master * outward > -opposite * of_master.norm() ||
+        of_master.norm() == 0)
+      return -outward;
+    // The normal points from the master to the slave, half way between that out
+    // of the master and that into the slave where neither has an edge.
+    const double part =
+      part_of_normal(slave_edges.at(node), master_edges.at(masters));
+    const Tensor<1, 3> n =
+      (1 - part) * of_master / of_master.norm() - part * outward;
+    return n / n.norm();
   }
 } // namespace conetact::pairing

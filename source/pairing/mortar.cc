@@ -145,7 +145,10 @@ namespace conetact::pairing
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
         , facing(one_by_one.master_surface())
-        , normals(structures[contact.master]->surface(contact.master_ids))
+        , normals(structures[contact.master]->surface(contact.master_ids),
+                  slave.all(),
+                  facing.faces(),
+                  contact.sharp_edge)
         , axisymmetric(structures[contact.body]->is_axisymmetric())
         , rows(slave.all(), contact.sharp_edge, axisymmetric)
         , thickness(
@@ -429,46 +432,39 @@ namespace conetact::pairing
         // unless it took over what others gave up.
         if (node.slaves.size() == 1)
           node.slaves.clear();
-        node.gap = gap(node);
+        // A prescribed gap is a way along all normals of a bent face.
+        node.gap = contact.gap ?
+                     node.mean_cosine * one_by_one.prescribed_gap(node) :
+                     undeformed_distance(node, structures) * node.n;
         if (contact.kind == ContactKind::contact && !contact.gap)
           node.gap = std::max(node.gap, row.lowest - beyond_seen * row.size);
         if (structures[contact.body]->meets_at_corners())
-          node.least_gap = row.lowest;
+          {
+            node.least_gap = row.lowest;
+            if (const auto foot = one_by_one.foot(s, s.normals))
+              node.own_gap = foot->gap;
+          }
         if (!contact.gap)
           one_by_one.judge(node, std::max(node.spacing, row.size));
         return node;
       }
 
       /**
-       * The normal of a row, half way between those of both sides. That of a
-       * bent side is the mean over the row's own functions, at rims as well;
-       * that of another one the sum over the slave's faces, or the mean over
-       * the master's nodes.
+       * The normal of a row, between those of both sides. That of a bent side
+       * is the mean over the row's own functions, at rims as well; that of
+       * another one the sum over the slave's faces, or the mean over the
+       * master's nodes.
        */
       Tensor<1, 3>
       normal(const MortarRow                                    &row,
              const std::vector<std::pair<unsigned int, double>> &masters) const
       {
         const Tensor<1, 3> &own =
-          is_bent(row.slave_normals) ? row.slave_normals : row.normal;
-        return is_bent(row.master_normals) ?
-                 normal_between(own / own.norm(), row.master_normals) :
-                 normals.between(own / own.norm(), masters);
-      }
-
-      static bool
-      is_bent(const Tensor<1, 3> &normals)
-      {
-        return normals.norm() > 0;
-      }
-
-      double
-      gap(const ContactNode &node) const
-      {
-        if (!contact.gap)
-          return undeformed_distance(node, structures) * node.n;
-        // A prescribed gap is a way along all normals of a bent face.
-        return node.mean_cosine * one_by_one.prescribed_gap(node);
+          row.slave_normals.norm() > 0 ? row.slave_normals : row.normal;
+        return normals.between(row.node,
+                               own / own.norm(),
+                               masters,
+                               row.master_normals);
       }
 
       const Contact                                &contact;

@@ -23,6 +23,37 @@ def axisymmetric_sliding(laws):
     planes(laws)
     drawn_over_ball(laws)
     stretched_joint(laws)
+    chamfers(laws)
+
+
+CHAMFERS = """Point(1) = {0, 0, 0}; Point(2) = {9.5, 0, 0}; Point(3) = {10.02, 1.5, 0}; Point(4) = {10.02, 20, 0}; Point(5) = {0, 20, 0};
+Point(11) = {10.5, -.5, 0}; Point(12) = {20, -.5, 0}; Point(13) = {20, -15, 0}; Point(14) = {10, -15, 0}; Point(15) = {10, -1.5, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 1};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 15}; Line(15) = {15, 11};
+Curve Loop(1) = {1:5}; Plane Surface(1) = {1}; Curve Loop(2) = {11:15}; Plane Surface(2) = {2};
+Physical Surface("shaft") = {1}; Physical Surface("hub") = {2}; Physical Curve("outside") = {2, 3}; Physical Curve("top") = {4};
+Physical Curve("bore") = {14, 15}; Physical Curve("base") = {12}; Mesh.RecombineAll = 1; Mesh.MeshSizeMax = .8;
+"""
+
+
+def chamfers(laws):
+    """A shaft with a chamfer is pushed into a bore with one, without friction: no edge holds it back, and its work is its energy."""
+    (laws.folder / "chamfers.geo").write_text(CHAMFERS)
+
+    def part(name):
+        return {"Mesh": {"File": "chamfers.geo", "Group": name},
+                "Material": {"Young modulus": 210e3, "Poisson ratio": .3, "Plane": "axisymmetric"}}
+    pressure, rise = 157.5, .02  # Lame's of the fit, and its interference
+    for slave, master in ((("shaft", "outside"), ("hub", "bore")), (("hub", "bore"), ("shaft", "outside"))):
+        run = laws.run({"Dimension": 2, "Body shaft": part("shaft"), "Body hub": part("hub"),
+                        "Contact fit": joint(*slave, *master, **{"Friction coefficient": 0, **FAR}),
+                        "Support base": support("base", "y", body="hub"), "Support top": support("top", "y", "-t", "shaft"),
+                        "Time": {"End": 12, "Increments": 48}, "Output": {"VTU": 0}})
+        inside = [row for row in run.increments if row["time"] > 6]
+        push = sum(abs(row["support_top_f_y"]) for row in inside) / len(inside)
+        laws.check(f"{slave[0]} as slave: push over that of the energy", push / (pressure * rise * math.pi * 10) / 4, 1)
+        work = sum(row["contact_work_normal"] for row in run.increments) / len(run.increments)
+        laws.check("  work of contact over that of friction .1", abs(work) / (.1 * pressure * math.pi * 10 * 6**2), .02)
 
 
 def fit_pushed_off(laws):

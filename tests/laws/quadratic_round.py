@@ -59,10 +59,32 @@ def rings(laws):
         laws.check("  pressures", max(abs(p / exact - 1) for p in pressures(run)), 3e-3)
 
 
+CORNERS = """Point(1) = {.6, 0, 0, .3}; Point(2) = {4.4, 0, 0, .3}; Point(3) = {5, .6, 0, .3}; Point(4) = {5, 3, 0, .3};
+Point(5) = {0, 3, 0, .3}; Point(6) = {0, .6, 0, .3}; Point(7) = {.6, .6, 0}; Point(8) = {4.4, .6, 0};
+Line(1) = {1, 2}; Circle(2) = {2, 8, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Circle(6) = {6, 7, 1};
+Curve Loop(1) = {1:6}; Plane Surface(1) = {1}; Physical Surface("block") = {1}; Physical Curve("bottom") = {6, 1, 2}; Physical Curve("top") = {4};
+"""
+
+
+def rounded_corners(laws):
+    """A block with a flat bottom and rounded corners: all of the bottom touches from the start, so that the force is linear."""
+    (laws.folder / "corners.geo").write_text(CORNERS)
+    forces = {}
+    for order in (1, 2):
+        run = laws.run({"Dimension": 2, "Body block": {"Mesh": {"File": "corners.geo", "Order": order},
+                                                       "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+                        "Obstacle floor": {"Shape": "half space", "Normal": (0, 1)}, "Contact sole": contact("block", "bottom", "floor", 0),
+                        "Support top": support("top", "x, y", "0 ; -0.02*t", "block"), "Time": {"Times": ".25, 1"}, "Output": {"VTU": 0}})
+        forces[order] = [row["sole_f_y"] for row in run.increments]
+        laws.check(f"rounded corners, order {order}: force over time", abs(forces[order][1] / forces[order][0] / 4 - 1), 1e-8)
+    laws.check("  of both orders", abs(forces[2][1] / forces[1][1] - 1), .02)
+
+
 def vees(laws):
     """A disc that lies in a vee of 90 degrees and is pressed into it. It starts where it is drawn to touch, so both flanks' friction holds
     it: N (1 + mu) sqrt(2) = W, however little it is pressed."""
     drawn_balls(laws)
+    rounded_corners(laws)
     mu = .2
     for element, facing in itertools.product(("Q2", "P2"), ("obstacles", "bodies")):
         for around, weight in ((16, 1.0), (16, 1e-3), (32, 1e-2)):

@@ -5,6 +5,7 @@
 #define conetact_pairing_master_normals_h
 
 #include "conetact/bodies/structure.h"
+#include "conetact/pairing/blunt_edges.h"
 
 #include <map>
 #include <utility>
@@ -12,28 +13,40 @@
 
 namespace conetact::pairing
 {
-  /** From the master to the slave: the mean of the normals of both. `outward`:
-   * unit normal of the slave; `of_master`: any length. */
-  Tensor<1, 3>
-  normal_between(const Tensor<1, 3> &outward, const Tensor<1, 3> &of_master);
-
   /**
    * Normals between two surfaces that close a gap. Where they touch they become
    * one, which lies between them if both deform: of two equal bodies it is
    * their plane of symmetry, along which nothing slips while they are pressed.
+   * An edge that is not sharp takes the normal of the other side.
    */
   class MasterNormals
   {
   public:
-    explicit MasterNormals(const bodies::Surface &master);
+    /** `sharp_edge`: the angle from which on sides of an edge have normals of
+     * their own [rad]. */
+    MasterNormals(const bodies::Surface            &master,
+                  const std::vector<FaceNet::Face> &slave_faces,
+                  const std::vector<FaceNet::Face> &master_faces,
+                  const double                      sharp_edge);
 
-    /** The same at a node that meets these masters. */
+    /**
+     * From the master to the slave: between the unit normal out of the slave at
+     * a node of it, and that of the master, a mean over its own functions if it
+     * is bent (`of_bent`, of any length), else over these nodes.
+     */
     Tensor<1, 3>
-    between(const Tensor<1, 3>                                 &outward,
-            const std::vector<std::pair<unsigned int, double>> &masters) const;
+    between(const unsigned int                                  node,
+            const Tensor<1, 3>                                 &outward,
+            const std::vector<std::pair<unsigned int, double>> &masters,
+            const Tensor<1, 3>                                 &of_bent) const;
 
   private:
+    Tensor<1, 3>
+    mean(const Tensor<1, 3>                                 &outward,
+         const std::vector<std::pair<unsigned int, double>> &masters) const;
+
     std::map<unsigned int, std::vector<Tensor<1, 3>>> normals;
+    BluntEdges                                        slave_edges, master_edges;
   };
 } // namespace conetact::pairing
 

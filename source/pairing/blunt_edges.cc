@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/blunt_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** So much may faces of one surface turn more than others by the mesh. */
+    constexpr double by_mesh = 5 * M_PI / 180;
+
+    /** Faces at a node, and the largest angle between two of them that is none
+     * of a sharp edge [rad]. */
+    struct Around
+    {
+      std::vector<const FaceNet::Face *> faces;
+      double                             turn = 0;
+
+      /** At the rim of a surface there is nothing to turn to. */
+      bool
+      is_inside() const
+      {
+        return faces.size() >= faces.front()->corners.size();
+      }
+    };
+
+    double
+    largest_turn(const std::vector<const FaceNet::Face *> &faces,
+                 const double                              sharp)
+    {
+      double turn = 0;
+      for (const FaceNet::Face *const one : faces)
+        for (const FaceNet::Face *const other : faces)
+          if (const double cosine = one->outward * other->outward;
+              cosine >= sharp && cosine < 1)
+            turn = std::max(turn, std::acos(cosine));
+      return turn;
+    }
+  } // namespace
+
+  BluntEdges::BluntEdges(const std::vector<FaceNet::Face> &faces,
+                         const double                      cosine)
+  {
+    std::map<unsigned int, Around> around;
+    for (const FaceNet::Face &face : faces)
+      for (std::size_t c = 0; c < face.corners.size(); ++c)
+        around[face.nodes[c]].faces.push_back(&face);
+    for (auto &[node, at_node] : around)
+      at_node.turn = largest_turn(at_node.faces, cosine);
+    for (const auto &[node, at_node] : around)
+      {
+        if (at_node.turn <= by_mesh || !at_node.is_inside())
+          continue;
+        double beside = std::numeric_limits<double>::max();
+        for (const FaceNet::Face *const face : at_node.faces)
+          for (std::size_t c = 0; c < face->corners.size(); ++c)
+            if (const Around &other = around.at(face->nodes[c]);
+                face->nodes[c] != node && other.is_inside())
+              beside = std::min(beside, other.turn);
+        if (at_node.turn > beside + by_mesh)
+          excess[node] = at_node.turn - beside - by_mesh;
+      }
+  }
+
+  double
+  BluntEdges::at(const unsigned int node) const
+  {
+    const auto found = excess.find(node);
+    return found == excess.end() ? 0. : found->second;
+  }
+
+  double
+  BluntEdges::at(
+    const std::vector<std::pair<unsigned int, double>> &nodes) const
+  {
+    double sum = 0, whole = 0;
+    for (const auto &[node, weight] : nodes)
+      {
+        sum += std::abs(weight) * at(node);
+        whole += std::abs(weight);
+      }
+    return whole > 0 ? sum / whole : 0.;
+  }
+
+  double
+  part_of_normal(const double own_edge, const double other_edge)
+  {
+    constexpr double little = 2 * M_PI / 180;
+    const auto       power  = [](const double angle) {
+      return std::pow(angle / little, 4);
+    };
+    return (power(other_edge) + 1) / (power(own_edge) + power(other_edge) + 2);
+  }
+} // namespace conetact::pairing
