@@ -27,15 +27,13 @@ namespace conetact::pairing
         return size <= margin ? 0 : gap;
       return std::copysign(ramp * (size - margin) / (ramp - 1), gap);
     }
-    /** By as much as all, where its mean is below its own gap by half of that
-     * at least; where faces are plane there is no such difference. */
+    /** By as much as all, but no further than its own gap: where faces are
+     * plane, or less bent, its mean is less below that. */
     void
     lift_node(ContactNode &node, const double lift)
     {
-      constexpr double enough = .5;
-      const double     bent =
-        node.own_gap ? (*node.own_gap - node.gap) / enough : lift;
-      if (const double by = std::clamp(bent, 0., lift); by > 0)
+      const double below = node.own_gap ? *node.own_gap - node.gap : lift;
+      if (const double by = std::clamp(below, 0., lift); by > 0)
         node.growth = [by](const double) { return by; };
     }
   } // namespace

@@ -16,9 +16,10 @@ namespace conetact::pairing
    * degree are below all gaps there: functions at corners are dual to linear
    * ones, and see a gap x^2/(2 R) from a node on as -h^2/(12 R), h the size of
    * a face. Without it a round body that is drawn to touch starts inside. Of
-   * all nodes of bent faces it is the same, so pressures do not change: the
-   * body comes nearer by so much. Nodes of plane faces stay. It stays wherever
-   * nodes slide (ContactNode::growth). Returns whether there is any.
+   * all nodes of faces that are bent alike it is the same, so pressures do not
+   * change: the body comes nearer by so much. Nodes of plane faces stay. It
+   * stays wherever nodes slide (ContactNode::growth). Returns whether there is
+   * any.
    */
   bool
   lift_convex_faces(const Contact                                &contact,

@@ -325,7 +325,8 @@ namespace conetact::bodies
       return of_file;
     const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + kind + " are too stiff in bending and lock near nu = " +
-           "0.5. Refine until results stay the same, or use P2 or " +
+           "0.5. Refine until results stay the same, or use " +
+           (is_axisymmetric() ? "" : "P2 or ") +
            (dim == 2 ? "quadrilaterals." : "hexahedra.") +
            (of_file.empty() ? "" : " Besides, " + of_file);
   }

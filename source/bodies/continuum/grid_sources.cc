@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/generator_arguments.h"
 #include "conetact/bodies/continuum/grid_messages.h"
 #include "conetact/bodies/continuum/manifold_nodes.h"

@@ -9,6 +9,7 @@
 #include "conetact/base/joined_points.h"
 #include "conetact/base/text.h"
 #include "conetact/base/unv_file.h"
+#include "conetact/base/vtk_middles.h"
 #include "conetact/bodies/continuum/drawings.h"
 #include "conetact/bodies/continuum/file_cells.h"
 #include "conetact/bodies/continuum/library_meshes.h"
@@ -88,7 +89,9 @@ namespace conetact::bodies
         {
           try
             {
-              return read_with_gmsh<dim>(file, parameters);
+              Reading reading = read_with_gmsh<dim>(file, parameters);
+              arrange_middles_of_vtk(reading.mesh);
+              return reading;
             }
           catch (const FileFault &)
             {

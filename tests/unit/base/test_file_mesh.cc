@@ -5,6 +5,7 @@
 #include "conetact/base/cell_topology.h"
 #include "conetact/base/joined_points.h"
 #include "conetact/base/middle_nodes.h"
+#include "conetact/base/vtk_middles.h"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,43 @@ namespace conetact::test
                   std::count(piece.nodes.begin(), piece.nodes.end(), b));
             }
         }
+  }
+
+  TEST(VtkMiddles, StandWhereTheirEdgesAndFacesAre)
+  {
+    FileMesh mesh;
+    mesh.points   = {{0, 0, 0},
+                     {2, 0, 0},
+                     {2, 2, 0},
+                     {0, 2, 0},
+                     {0, 0, 3},
+                     {2, 0, 3},
+                     {2, 2, 3},
+                     {0, 2, 3}};
+    mesh.elements = {{3, {0, 1, 2, 3, 4, 5, 6, 7}, {}}};
+    // in an order of their own, the first one off its edge
+    for (const Point<3> &p : {Point<3>(1, -.2, 0),
+                              Point<3>(2, 1, 0),
+                              Point<3>(1, 2, 0),
+                              Point<3>(0, 1, 0),
+                              Point<3>(1, 0, 3),
+                              Point<3>(2, 1, 3),
+                              Point<3>(1, 2, 3),
+                              Point<3>(0, 1, 3),
+                              Point<3>(0, 0, 1.5),
+                              Point<3>(2, 0, 1.5),
+                              Point<3>(2, 2, 1.5),
+                              Point<3>(0, 2, 1.5)})
+      {
+        mesh.elements[0].middles.push_back(
+          static_cast<unsigned int>(mesh.points.size()));
+        mesh.points.push_back(p);
+      }
+    arrange_middles_of_vtk(mesh);
+    // Gmsh: 01 03 04 12 15 23 26 37 45 47 56 67
+    EXPECT_EQ(mesh.elements[0].middles,
+              (std::vector<unsigned int>{
+                8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14}));
   }
 
   TEST(CellSplitting, FoldedCellsAreRefused)
