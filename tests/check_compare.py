@@ -99,6 +99,16 @@ def known(compare):
     compare.write("other", "reactions.csv", [[*row[:5], 1e-6 * index, *row[6:]] for index, row in enumerate(smooth)])
     compare.judge("a column that is not", 2, "r_t1 is")
 
+    # rows lie at x = 0 to 4: a force of 1e5 there has a rounding of 4e-7 about the origin
+    totals = ("increment", "sole_f_y", "sole_m_z", "support_m_z")
+    for moment, code in ((3e-7, 0), (5e-7, 2)):
+        for name, sign in (("one", 0), ("other", 1)):
+            compare.write(name, "reactions.csv", rows)
+            compare.write(name, "increments.csv", [[1, 1e5, sign * moment, 0]], totals)
+        compare.judge(f"a moment of {moment} beside forces with levers", code, *(("sole_m_z is",) if code else ()))
+    for name in ("one", "other"):
+        (compare.folder / name / "increments.csv").unlink()
+
     compare.write("one", "reactions.csv", rows)
     compare.write("other", "reactions.csv", rows[:-2])
     compare.judge("two rows less", 2, "reactions.csv: 2 rows, the first one of increment 3, contact side wall, node 3, is in one only")

@@ -72,7 +72,7 @@ namespace conetact::contact
   /* The work of pull t(g, s) dg + c rest(g, s) ds along a straight way from the
      start to the end of the increment, by the midpoint rule in a thousand
      steps: where softening ends, or unloading does, the integrand has a
-     kink. */
+     kink. What is never lost is the same all the way. */
   double
   CandidateBond::fracture(const double gap_at_start,
                           const double gap_at_end,
@@ -85,10 +85,14 @@ namespace conetact::contact
     double                 sum = 0;
     if (dg == 0 && slip == 0)
       return 0;
+    if (!law->may_be_lost())
+      return rest(slip, gap_at_end) * (strength * dg + cohesion * slip);
     for (unsigned int k = 0; k < n; ++k)
       {
         const double x = (k + .5) * h, g = gap_at_start + x * dg;
-        sum += pull(x * slip, g) * dg + cohesion * rest(x * slip, g) * slip;
+        const double left = rest(x * slip, g);
+        sum += strength * left * law->unloading(g, opened, least) * dg +
+               cohesion * left * slip;
       }
     return h * sum;
   }

@@ -103,6 +103,12 @@ namespace conetact::contact
       refuse_one_axis(node(), constant[0], constant[1]);
     if (active && node().bond)
       bonded = CandidateBond(node(), known.situation);
+    if (has_layer() && node().layer->is_linear())
+      linear = {node().layer->closing_by_pressure(known.situation),
+                node().layer->wears_at_once() ?
+                  node().layer->wear_by_pressure(known.situation) :
+                  0.,
+                node().layer->shear(known.situation)};
     if (is_wet)
       fluid = node().fluid->pressure(known.situation.t) * node().covered_area();
   }
@@ -229,20 +235,57 @@ namespace conetact::contact
     return limit;
   }
 
-  /* Closing C p and wear K p |slip|, the latter in the increment itself if it
-     is asked for. */
+  bool
+  CandidateLaw::has_layer() const
+  {
+    return active && !node().may_part() && !node().spring && node().layer &&
+           node().layer->is_soft() && node().covered_area() > 0;
+  }
+
   solvers::Layer
   CandidateLaw::layer(const double r_n, const double slip) const
   {
-    const double a = node().covered_area();
     if (!active)
       return out_of_sight(node());
     if (node().may_part()) // its sides stay as the increment finds them
       return {-known.situation.gap, 0, 0, 0, {}};
     if (node().spring)
       return of_spring(node(), r_n);
-    if (!node().layer || !node().layer->is_soft() || a == 0)
+    if (!has_layer())
       return {};
+    solvers::Layer result =
+      linear ? linear_layer(*linear, r_n, slip) : soft_layer(r_n, slip);
+    if (bonded.holds() && r_n < 0) // what is glued stretches
+      result.closing = result.by_force * r_n;
+    if (result.shear > 0)
+      result.sheared = result.shear * known.friction;
+    return result;
+  }
+
+  /* C p and K p |slip| are linear in p: there is no expression to be asked, and
+     no slope to be found by differences. */
+  solvers::Layer
+  CandidateLaw::linear_layer(const LinearLayer &of,
+                             const double       r_n,
+                             const double       slip) const
+  {
+    const double   a = node().covered_area(), p = std::max(r_n, 0.) / a;
+    const double   worn = known.part_of_wear * of.wear;
+    const double   C    = of.closing + slip * worn;
+    solvers::Layer result;
+    result.closing  = C * p;
+    result.by_force = C / a;
+    result.by_slip  = p * worn;
+    result.shear    = of.shear / a;
+    return result;
+  }
+
+  /* Closing C p and wear K p |slip|, the latter in the increment itself if it
+     is asked for. */
+  solvers::Layer
+  CandidateLaw::soft_layer(const double r_n, const double slip) const
+  {
+    const double             a    = node().covered_area();
     const pairing::LayerLaw &law  = *node().layer;
     const Situation          here = situation(r_n, slip);
     const bool               now  = law.wears_at_once();
@@ -261,15 +304,11 @@ namespace conetact::contact
     // on the way to a solution; one where it falls is refused (pressures())
     result.by_force =
       std::max(0., C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
-    if (bonded.holds() && r_n < 0) // what is glued stretches
-      result.closing = result.by_force * r_n;
     if (now)
       result.by_slip =
         p * (known.part_of_wear * law.wear_by_pressure(here) +
              slope(C, here, &Situation::speed, 0) / known.duration);
     result.shear = law.shear(here) / a;
-    if (result.shear > 0)
-      result.sheared = result.shear * known.friction;
     return result;
   }
 

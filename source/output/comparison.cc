@@ -114,13 +114,15 @@ namespace conetact::output
       TwoTables(std::string             table,
                 const fs::path         &a,
                 const fs::path         &b,
-                const ComparisonLimits &l)
+                const ComparisonLimits &l,
+                const double            longest_lever)
         : name(std::move(table))
         , one(a / name)
         , other(b / name)
         , rows_one(one)
         , rows_other(other)
         , limits(l)
+        , lever(longest_lever)
         , folder_one(a.string())
         , folder_other(b.string())
       {}
@@ -183,6 +185,8 @@ namespace conetact::output
             if (!pair.rule.kind.empty())
               kind = std::max(kind, pair.found.largest);
           }
+        // Moments that cancel have the rounding of forces times their levers.
+        kinds["moments"] = std::max(kinds["moments"], kinds["forces"] * lever);
         for (Pair &pair : pairs)
           pair.of_kind = kinds[pair.rule.kind];
       }
@@ -342,11 +346,28 @@ namespace conetact::output
       const TableFile         one, other;
       const NamedRows         rows_one, rows_other;
       const ComparisonLimits &limits;
+      const double            lever; ///< of forces that make moments [length]
       const std::string       folder_one, folder_other;
       std::vector<Pair>       pairs;
       std::size_t             n_lost = 0;
       std::string             first_lost;
     };
+
+    /** The largest coordinate of a contact node. */
+    double
+    longest_lever(const fs::path &folder)
+    {
+      double longest = 0;
+      if (!fs::exists(folder / "reactions.csv"))
+        return longest;
+      const TableFile table(folder / "reactions.csv");
+      for (const char *const place : {"x", "y", "z"})
+        if (const auto column = table.column(place))
+          for (std::size_t i = 0; i < table.n_rows(); ++i)
+            if (const auto value = finite_number(table.cell(i, *column)))
+              longest = std::max(longest, std::abs(*value));
+      return longest;
+    }
 
     /** Names of the tables of a folder. */
     std::set<std::string>
@@ -394,12 +415,13 @@ namespace conetact::output
     const auto            in_one = tables_in(one), in_other = tables_in(other);
     std::set<std::string> all = in_one;
     all.insert(in_other.begin(), in_other.end());
-    Comparison result;
+    const double lever = std::max(longest_lever(one), longest_lever(other));
+    Comparison   result;
     for (const std::string &table : in_order(all))
       if (in_one.count(table) > 0 && in_other.count(table) > 0)
         {
           ++result.n_tables;
-          TwoTables(table, one, other, limits).compare(result);
+          TwoTables(table, one, other, limits, lever).compare(result);
         }
       else
         {

@@ -22,9 +22,10 @@ namespace conetact::pairing
   double
   value_of(const Expression &expression, const Situation &at)
   {
-    return expression(at.position,
-                      at.t,
-                      {at.temperature, at.slipped, at.pressure, at.speed});
+    // It is asked for at each node in each step: memory for it is kept.
+    thread_local std::vector<double> others;
+    others = {at.temperature, at.slipped, at.pressure, at.speed};
+    return expression(at.position, at.t, others);
   }
 
   FrictionLaw::FrictionLaw(const std::string &coefficient,

@@ -30,11 +30,12 @@ namespace conetact::pairing
     double
     not_negative(const Expression  &law,
                  const Situation   &at,
-                 const std::string &what)
+                 const std::string &in,
+                 const char *const  entry)
     {
       const double value = value_of(law, at);
       if (value < 0)
-        throw InputError(what + ": it is " + to_text(value) + " at " +
+        throw InputError(in + entry + ": it is " + to_text(value) + " at " +
                          to_text(at.position) + ", t = " + to_text(at.t) +
                          ", p = " + to_text(at.pressure) +
                          ". Give 0 or more at all places and times.");
@@ -96,8 +97,7 @@ namespace conetact::pairing
   double
   LayerLaw::closing_by_pressure(const Situation &at) const
   {
-    return compliance ? not_negative(*compliance, at, where + "Compliance") :
-                        0.;
+    return compliance ? not_negative(*compliance, at, where, "Compliance") : 0.;
   }
 
   /** The closing C(p) p; below the largest pressure P so far it is C(P) P -
@@ -121,7 +121,7 @@ namespace conetact::pairing
     Situation most = at;
     most.pressure  = at.packed;
     // With U above C, C(P) P - U(P) (P - p) would be negative at p = 0.
-    const double back  = not_negative(*unloading, most, where + unloads);
+    const double back  = not_negative(*unloading, most, where, unloads);
     const double there = closing_by_pressure(most);
     if (back > there * (1 + 1e-12))
       throw InputError(where + unloads + ": it is " + to_text(back) +
@@ -136,7 +136,7 @@ namespace conetact::pairing
   LayerLaw::shear(const Situation &at) const
   {
     return shear_compliance ?
-             not_negative(*shear_compliance, at, where + "Shear compliance") :
+             not_negative(*shear_compliance, at, where, "Shear compliance") :
              0.;
   }
 
@@ -145,8 +145,17 @@ namespace conetact::pairing
   double
   LayerLaw::wear_by_pressure(const Situation &at) const
   {
-    return wear ? cycles * not_negative(*wear, at, where + "Wear coefficient") :
+    return wear ? cycles * not_negative(*wear, at, where, "Wear coefficient") :
                   0.;
+  }
+
+  bool
+  LayerLaw::is_linear() const
+  {
+    const auto depends = [](const std::optional<Expression> &law) {
+      return law && (law->uses("p") || law->uses("v"));
+    };
+    return !unloading && !depends(compliance) && !depends(wear);
   }
 
   bool

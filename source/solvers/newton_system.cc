@@ -204,12 +204,22 @@ namespace conetact::solvers
                                const double                shift,
                                Array                      &x)
   {
-    std::vector<lapack_int> pivots;
     assemble(relation, laws, shift, matrix);
     ++factorizations;
     if (!factorize(matrix, pivots))
       return false;
-    x            = right_hand_side;
+    is_factorized = true;
+    x             = right_hand_side;
+    substitute(x);
+    return x.allFinite();
+  }
+
+
+
+  void
+  NewtonSystem::substitute(Array &x) const
+  {
+    eigen_assert(is_factorized && x.size() == matrix.rows());
     const auto n = static_cast<lapack_int>(x.size());
     LAPACKE_dgetrs(LAPACK_COL_MAJOR,
                    'N',
@@ -220,7 +230,15 @@ namespace conetact::solvers
                    pivots.data(),
                    x.data(),
                    n);
-    return x.allFinite();
+  }
+
+
+
+  void
+  NewtonSystem::scatter(const Array &x, Array &dp) const
+  {
+    for (std::size_t a = 0; a < unknown.size(); ++a)
+      dp(unknown[a]) = x(static_cast<Index>(a));
   }
 
 
@@ -276,6 +294,7 @@ namespace conetact::solvers
                  relation.system().n_nodes() + relation.system().n_motions);
     eigen_assert(rho.size() == relation.system().n_unknowns());
     eigen_assert(precision >= 0);
+    is_factorized = false;
     split(relation, laws);
     eliminate(relation, laws, rho, dp);
     if (unknown.empty())
@@ -292,8 +311,28 @@ namespace conetact::solvers
         solved = solve_directly(relation, laws, shift, x);
     if (!solved)
       return false;
-    for (std::size_t a = 0; a < unknown.size(); ++a)
-      dp(unknown[a]) = x(static_cast<Index>(a));
+    scatter(x, dp);
     return true;
+  }
+
+
+
+  bool
+  NewtonSystem::solve_again(const LinearRelation       &relation,
+                            const std::vector<NodeLaw> &laws,
+                            Array                      &dp)
+  {
+    if (!is_factorized)
+      return false;
+    const std::vector<Index> before = unknown;
+    split(relation, laws);
+    is_factorized = unknown == before;
+    if (!is_factorized)
+      return false;
+    eliminate(relation, laws, Array::Zero(relation.system().n_unknowns()), dp);
+    Array x = right_hand_side;
+    substitute(x);
+    scatter(x, dp);
+    return dp.allFinite();
   }
 } // namespace conetact::solvers

@@ -59,6 +59,14 @@ namespace conetact::solvers
       return set.ratio *
              (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
     }
+
+    /** A gap below 0, which limits and bonds have the values of 0 for: a step
+     * goes on along their slopes from there, as if they fell below 0, too. */
+    double
+    overlap(const SmallVector &v)
+    {
+      return std::min(v(v.size() - 1), 0.);
+    }
   } // namespace
 
   LinearizedLaw
@@ -100,7 +108,8 @@ namespace conetact::solvers
     // A first guess of the states may not go with z: then the law is asked
     // for at the end of the step.
     if (zn > 0 || set.is_lifted)
-      law.h.head(nt) = limit.value * set.direction - r.head(nt);
+      law.h.head(nt) =
+        (limit.value + limit.by_gap * overlap(v)) * set.direction - r.head(nt);
     else
       law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
     return law;
@@ -133,11 +142,14 @@ namespace conetact::solvers
     law.B = (law.B * scale.cwiseInverse().asDiagonal()).eval();
     law.A.leftCols(nt) += aspect.by_slip * by_aspect * along.transpose();
     law.A.col(nt) += aspect.by_gap * by_aspect;
+    law.h -= aspect.by_gap * overlap(v) * by_aspect;
     law.B.col(nt) += aspect.by_force * by_aspect;
   }
 
   /* r = seen - b(|v_t|, g): d seen = dr + b_slip e.dv_t + b_gap dg in the
-     normal component, and B takes that to the columns of v. */
+     normal component, and B takes that to the columns of v. An overlap has the
+     pull of a closed gap: without its share in h, the steep line along which
+     what has opened closes would hold nodes in the overlap. */
   void
   see_bond(const Bond &bond, const SmallVector &v, LinearizedLaw &law)
   {
@@ -147,6 +159,7 @@ namespace conetact::solvers
       law.A.leftCols(nt) +=
         bond.by_slip / slip * law.B.col(nt) * v.head(nt).transpose();
     law.A.col(nt) += bond.by_gap * law.B.col(nt);
+    law.h -= bond.by_gap * overlap(v) * law.B.col(nt);
   }
 
   /* T and C are the derivatives of see(): slips change by C_t dr_t, the gap by

@@ -8,6 +8,7 @@
 #include "conetact/contact/contact_points.h"
 
 #include <array>
+#include <optional>
 
 namespace conetact::contact
 {
@@ -127,6 +128,24 @@ namespace conetact::contact
     {
       return *point().node;
     }
+    /** Numbers of a layer that are known before the increment is solved. */
+    struct LinearLayer
+    {
+      double closing = 0; ///< over pressure [length/stress]
+      double wear    = 0; ///< over pressure and way [1/stress]
+      double shear   = 0; ///< along over traction [length/stress]
+    };
+
+    /** Whether pressure and friction make a layer give way. */
+    bool
+    has_layer() const;
+    /** Of a layer and what wears in the increment, pressed by r_n. */
+    solvers::Layer
+    soft_layer(const double r_n, const double slip) const;
+    solvers::Layer
+    linear_layer(const LinearLayer &of,
+                 const double       r_n,
+                 const double       slip) const;
     /** Of what presses by r_n, without a bond, along an axis of friction. */
     solvers::FrictionLimit
     friction(const unsigned int axis,
@@ -151,7 +170,9 @@ namespace conetact::contact
     std::array<double, 2> constant; ///< mu where it is known
     bool                  active;
     CandidateBond         bonded;
-    double                fluid = 0; ///< of what is wet [force]
+    /** Nothing: pressure or speed change it, or there is no layer. */
+    std::optional<LinearLayer> linear;
+    double                     fluid = 0; ///< of what is wet [force]
   };
 } // namespace conetact::contact
 

@@ -94,6 +94,10 @@ namespace conetact::pairing
     {
       return compliance || wears_at_once();
     }
+    /** Whether closing and wear over pressure are known before an increment is
+     * solved. */
+    bool
+    is_linear() const;
     bool
     uses_temperature() const;
     bool

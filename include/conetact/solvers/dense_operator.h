@@ -74,6 +74,10 @@ namespace conetact::solvers
           const double       precision,
           const bool         regularised,
           SolverReport      &report);
+    /** A point near the solution of its sets, nearer to it by the factors of
+     * the step that has led there. */
+    NewtonPoint
+    corrected(const NodeSets &sets, NewtonPoint point);
     bool
     is_balanced(const NewtonPoint &point) const;
 

@@ -41,6 +41,22 @@ namespace conetact::solvers
           Array                      &dp,
           const bool                  regularised = true);
 
+    /**
+     * Solves once more with the factors of the last system, for laws at another
+     * point. False if there are none, or other unknowns are left.
+     */
+    bool
+    solve_again(const LinearRelation       &relation,
+                const std::vector<NodeLaw> &laws,
+                Array                      &dp);
+
+    /** Whether it may do so. */
+    bool
+    has_factors() const
+    {
+      return is_factorized;
+    }
+
     /** Whether the last system was too small to save a factorisation. */
     bool
     was_small() const;
@@ -85,6 +101,12 @@ namespace conetact::solvers
                    const std::vector<NodeLaw> &laws,
                    const double                shift,
                    Array                      &x);
+    /** With the factors in `matrix`. */
+    void
+    substitute(Array &x) const;
+    /** Writes what was left of the unknowns to dp. */
+    void
+    scatter(const Array &x, Array &dp) const;
 
     struct Row
     {
@@ -93,7 +115,9 @@ namespace conetact::solvers
     std::vector<Index> unknown; ///< global indices of what is left
     std::vector<Row>   row;     ///< the same, by node
     Array              right_hand_side;
-    Eigen::MatrixXd    matrix;
+    Eigen::MatrixXd    matrix; ///< and its factors
+    std::vector<int>   pivots; ///< of them
+    bool               is_factorized = false;
     Eigen::MatrixXf    single;
     std::vector<Index> assembled;     ///< unknowns of `single`
     bool               fresh = false; ///< it was assembled in the last solve
