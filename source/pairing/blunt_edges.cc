@@ -11,8 +11,9 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** So much may faces of one surface turn more than others by the mesh. */
-    constexpr double by_mesh = 5 * M_PI / 180;
+    /** So much may faces of one surface turn more than others by the mesh:
+     * `twice` the angle, and a little. */
+    constexpr double twice = 2, by_mesh = 5 * M_PI / 180;
 
     /** Faces at a node, and the largest angle between two of them that is none
      * of a sharp edge [rad]. */
@@ -29,6 +30,18 @@ namespace conetact::pairing
       }
     };
 
+    /** Between the middles of two faces, less what bends in them. */
+    double
+    turn_at_edge(const FaceNet::Face &one,
+                 const FaceNet::Face &other,
+                 const double         cosine)
+    {
+      const auto half_of_arc = [](const FaceNet::Face &face) {
+        return 4 * face.sagitta / face.size;
+      };
+      return std::acos(cosine) - half_of_arc(one) - half_of_arc(other);
+    }
+
     double
     largest_turn(const std::vector<const FaceNet::Face *> &faces,
                  const double                              sharp)
@@ -38,7 +51,7 @@ namespace conetact::pairing
         for (const FaceNet::Face *const other : faces)
           if (const double cosine = one->outward * other->outward;
               cosine >= sharp && cosine < 1)
-            turn = std::max(turn, std::acos(cosine));
+            turn = std::max(turn, turn_at_edge(*one, *other, cosine));
       return turn;
     }
   } // namespace
@@ -62,8 +75,9 @@ namespace conetact::pairing
             if (const Around &other = around.at(face->nodes[c]);
                 face->nodes[c] != node && other.is_inside())
               beside = std::min(beside, other.turn);
-        if (at_node.turn > beside + by_mesh)
-          excess[node] = at_node.turn - beside - by_mesh;
+        const double usual = twice * beside + by_mesh;
+        if (beside < at_node.turn && at_node.turn > usual)
+          excess[node] = at_node.turn - usual;
       }
   }
 
