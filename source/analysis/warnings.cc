@@ -109,8 +109,8 @@ namespace conetact::analysis
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int       n_c       = structure.n_components();
     double                   least     = std::numeric_limits<double>::max();
-    structure.elements().for_each(
-      [&](const std::vector<unsigned int> &dofs, const double *) {
+    structure.elements().for_each_connection(
+      [&](const std::vector<unsigned int> &dofs) {
         const unsigned int a      = dofs.front() / n_c;
         const Point<3>     origin = structure.position(a);
         for (const unsigned int dof : dofs)
@@ -134,21 +134,23 @@ namespace conetact::analysis
         large_strain * shortest_side(body))
       return 0;
     double largest = 0; // square, until the end
-    structure.elements().for_each([&](const std::vector<unsigned int> &dofs,
-                                      const double *) {
-      const unsigned int a = dofs.front() / n_c;
-      for (const unsigned int dof : dofs)
-        if (const unsigned int b = dof / n_c; b != a)
-          {
-            double stretch = 0;
-            for (unsigned int c = 0; c < dim; ++c)
-              stretch +=
-                std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c], 2);
-            largest = std::max(largest,
-                               stretch / structure.position(a).distance_square(
-                                           structure.position(b)));
-          }
-    });
+    structure.elements().for_each_connection(
+      [&](const std::vector<unsigned int> &dofs) {
+        const unsigned int a = dofs.front() / n_c;
+        for (const unsigned int dof : dofs)
+          if (const unsigned int b = dof / n_c; b != a)
+            {
+              double stretch = 0;
+              for (unsigned int c = 0; c < dim; ++c)
+                stretch +=
+                  std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c],
+                           2);
+              largest =
+                std::max(largest,
+                         stretch / structure.position(a).distance_square(
+                                     structure.position(b)));
+            }
+      });
     return std::sqrt(largest);
   }
 

@@ -281,6 +281,7 @@ namespace conetact
             FileMesh::Element element{kind.dim, {}, {}};
             if (found != groups_of.end())
               element.groups = found->second;
+            element.nodes.reserve(kind.n_corners);
             for (std::size_t k = 0; k < kind.n_nodes; ++k)
               add_node(kind, k, node(source.count()), element);
             if (kind.dim > 0)

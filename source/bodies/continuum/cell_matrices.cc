@@ -57,8 +57,8 @@ namespace conetact::bodies
   typename CellMatrices<dim>::Matrix
   CellMatrices<dim>::compute(const unsigned int cell) const
   {
-    Matrix k = thickness *
-               phases[mesh.phase(cell)].element->stiffness(mesh.vertices(cell));
+    Matrix k = phases[mesh.phase(cell)].element->stiffness(mesh.vertices(cell));
+    k *= thickness;
     if (is_ring)
       make_axial_sums_exact(k);
     else

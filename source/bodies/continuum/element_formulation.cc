@@ -43,6 +43,7 @@ namespace conetact::bodies
                                        const FEValues<dim>  &fe_values,
                                        std::vector<Columns> &strains) const
   {
+    strains.reserve(strains.size() + fe_values.n_quadrature_points);
     for (const unsigned int q : fe_values.quadrature_point_indices())
       {
         Columns &b = strains.emplace_back(

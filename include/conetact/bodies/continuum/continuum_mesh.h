@@ -49,6 +49,7 @@ namespace conetact::bodies
     vertices(const unsigned int number) const
     {
       std::vector<Point<dim>> points;
+      points.reserve(n_cell_nodes);
       for (const unsigned int node : cell(number))
         points.push_back(nodes[node]);
       return points;

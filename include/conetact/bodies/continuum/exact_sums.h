@@ -18,14 +18,14 @@ namespace conetact::bodies
    * on the diagonal; k stays symmetric.
    */
   void
-  make_sums_exact(Eigen::Ref<Eigen::MatrixXd> k, const int dim);
+  make_sums_exact(Eigen::MatrixXd &k, const int dim);
 
   /**
    * The same of a ring round the y axis, which only translations along it do
    * not strain.
    */
   void
-  make_axial_sums_exact(Eigen::Ref<Eigen::MatrixXd> k);
+  make_axial_sums_exact(Eigen::MatrixXd &k);
 } // namespace conetact::bodies
 
 #endif
