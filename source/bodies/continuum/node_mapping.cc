@@ -33,7 +33,10 @@ namespace conetact::bodies
   NodeMapping<dim>::cell_at(const Support &nodes)
   {
     AssertDimension(nodes.size(), element().n_dofs_per_cell());
-    origin = nodes.front();
+    constexpr double far = 1e3; // from the origin, in sizes of the cell
+    const bool       is_far =
+      nodes.front().norm() > far * nodes.front().distance(nodes.back());
+    origin = is_far ? nodes.front() : dealii::Point<dim>();
     relative.clear();
     for (const dealii::Point<dim> &node : nodes)
       relative.emplace_back(node - origin);

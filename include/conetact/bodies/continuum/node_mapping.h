@@ -23,8 +23,8 @@ namespace conetact::bodies
    *
    * FEValues needs a cell of a Triangulation. That of a large body takes more
    * memory than all else the body has, and is forgotten; one cell stands for
-   * all. It computes with places relative to the first node: gradients are as
-   * exact far from the origin as they are near it.
+   * all. Far from the origin it computes with places relative to the first
+   * node: gradients are as exact there as near it.
    */
   template <int dim>
   class NodeMapping : public dealii::MappingFE<dim>
@@ -73,7 +73,7 @@ namespace conetact::bodies
 
     dealii::Triangulation<dim> one_cell;
     Cell                       cell;
-    dealii::Point<dim>         origin;   ///< the first node
+    dealii::Point<dim>         origin;   ///< or the first node
     Support                    relative; ///< places of nodes seen from there
   };
 } // namespace conetact::bodies
