@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/found_nodes.h"
+#include "conetact/pairing/node_weights.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -69,28 +70,6 @@ namespace conetact::analysis
     return linearised(find_there(u, t, keep_faced));
   }
 
-  namespace
-  {
-    using Weights = std::vector<std::pair<unsigned int, double>>;
-
-    Weights
-    between(const Weights &one, const Weights &other, const double part)
-    {
-      std::map<unsigned int, double> sum;
-      for (const auto &[node, weight] : one)
-        sum[node] += (1 - part) * weight;
-      for (const auto &[node, weight] : other)
-        sum[node] += part * weight;
-      return {sum.begin(), sum.end()};
-    }
-
-    Weights
-    slaves_of(const pairing::ContactNode &node)
-    {
-      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
-    }
-  } // namespace
-
   /* A row between two: its gap is between theirs whatever the displacement. */
   void
   ContactSearch::go_part_of_the_way(const pairing::ContactNode &last,
@@ -115,9 +94,10 @@ namespace conetact::analysis
         last.meets_nothing() || node.master != last.master)
       return;
     node.gap     = (1 - part) * gap_of_last + part * node.gap;
-    node.masters = between(last.masters, node.masters, part);
+    node.masters = pairing::mean_of(last.masters, 1 - part, node.masters, part);
     if (!node.slaves.empty() || !last.slaves.empty())
-      node.slaves = between(slaves_of(last), slaves_of(node), part);
+      node.slaves =
+        pairing::mean_of(own_side(last), 1 - part, own_side(node), part);
     node.moved = moved(node);
   }
 

@@ -3,8 +3,10 @@
 
 #include "conetact/base/vtk_middles.h"
 
+#include "conetact/base/cell_topology.h"
+
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <set>
 
 namespace conetact
@@ -12,58 +14,18 @@ namespace conetact
   namespace
   {
     /** The corners that a middle node is between. */
-    using Between = std::vector<std::size_t>;
+    using Between = std::vector<unsigned int>;
 
-    /** Of cells with so many corners, in Gmsh's order: edges, then the faces
-     * with four corners, and the cell. */
-    const std::map<std::size_t, std::vector<Between>> &
-    places_of_middles()
+    /** In Gmsh's order: of edges, of faces with four corners, of the cell. */
+    std::vector<Between>
+    places_of_middles(const FileMesh::Element &cell)
     {
-      static const std::map<std::size_t, std::vector<Between>> all = {
-        {5,
-         {{0, 1},
-          {0, 3},
-          {0, 4},
-          {1, 2},
-          {1, 4},
-          {2, 3},
-          {2, 4},
-          {3, 4},
-          {0, 1, 2, 3}}},
-        {6,
-         {{0, 1},
-          {0, 2},
-          {0, 3},
-          {1, 2},
-          {1, 4},
-          {2, 5},
-          {3, 4},
-          {3, 5},
-          {4, 5},
-          {0, 1, 3, 4},
-          {0, 2, 3, 5},
-          {1, 2, 4, 5}}},
-        {8,
-         {{0, 1},
-          {0, 3},
-          {0, 4},
-          {1, 2},
-          {1, 5},
-          {2, 3},
-          {2, 6},
-          {3, 7},
-          {4, 5},
-          {4, 7},
-          {5, 6},
-          {6, 7},
-          {0, 1, 2, 3},
-          {0, 1, 4, 5},
-          {0, 3, 4, 7},
-          {1, 2, 5, 6},
-          {2, 3, 6, 7},
-          {4, 5, 6, 7},
-          {0, 1, 2, 3, 4, 5, 6, 7}}}};
-      return all;
+      const CellTopology  &kind   = topology_of(cell.dim, cell.nodes.size());
+      std::vector<Between> places = kind.edges;
+      places.insert(places.end(), kind.quads.begin(), kind.quads.end());
+      places.emplace_back(cell.nodes.size());
+      std::iota(places.back().begin(), places.back().end(), 0u);
+      return places;
     }
 
     Point<3>
@@ -72,7 +34,7 @@ namespace conetact
          const Between           &corners)
     {
       Point<3> sum;
-      for (const std::size_t c : corners)
+      for (const unsigned int c : corners)
         sum += mesh.points[cell.nodes[c]] / static_cast<double>(corners.size());
       return sum;
     }
@@ -104,11 +66,12 @@ namespace conetact
   {
     for (FileMesh::Element &cell : mesh.elements)
       {
-        const auto found = places_of_middles().find(cell.nodes.size());
-        if (cell.dim != 3 || found == places_of_middles().end() ||
-            cell.middles.size() > found->second.size())
+        if (cell.dim != 3 || cell.middles.empty())
           continue;
-        std::vector<unsigned int> middles = arranged(mesh, cell, found->second);
+        const std::vector<Between> places = places_of_middles(cell);
+        if (cell.middles.size() > places.size())
+          continue;
+        std::vector<unsigned int> middles = arranged(mesh, cell, places);
         // Where edges are bent so much that one is the nearest twice, the
         // order stays.
         if (std::set<unsigned int>(middles.begin(), middles.end()).size() ==

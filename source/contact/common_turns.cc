@@ -91,11 +91,10 @@ namespace conetact::contact
     class CellsBehindFaces
     {
     public:
-      CellsBehindFaces(const bodies::Structure      &structure,
+      CellsBehindFaces(const bodies::Structure      &body,
                        const std::set<unsigned int> &met,
                        const unsigned int            dim)
-        : body(structure)
-        , n_of_face(dim)
+        : n_of_face(dim)
       {
         std::set<unsigned int> hanging;
         for (const bodies::HangingNode &node : body.hanging_nodes())
@@ -143,7 +142,6 @@ namespace conetact::contact
       }
 
     private:
-      const bodies::Structure                         &body;
       const std::ptrdiff_t                             n_of_face;
       std::vector<std::vector<unsigned int>>           cells;
       std::map<unsigned int, std::vector<std::size_t>> cells_at;

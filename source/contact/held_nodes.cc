@@ -6,6 +6,7 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/bound_nodes.h"
 #include "conetact/contact/held_joints.h"
+#include "conetact/pairing/node_weights.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -16,8 +17,6 @@ namespace conetact::contact
 {
   namespace
   {
-    using Weights = std::vector<std::pair<unsigned int, double>>;
-
     /** Normals that differ by more than 45 degrees belong to other sides of an
      * edge. */
     constexpr double cosine_of_side = .7;
@@ -41,29 +40,6 @@ namespace conetact::contact
       return result;
     }
 
-    /** The mean of two means, each over its own area. */
-    Weights
-    mean(const Weights &one, const double part, const Weights &other)
-    {
-      std::map<unsigned int, double> sum;
-      for (const auto &[node, weight] : one)
-        sum[node] += (1 - part) * weight;
-      for (const auto &[node, weight] : other)
-        sum[node] += part * weight;
-      return {sum.begin(), sum.end()};
-    }
-
-    Weights
-    slaves_of(const pairing::ContactNode &node)
-    {
-      Weights slaves;
-      pairing::for_each_slave(node,
-                              [&](const unsigned int i, const double weight) {
-                                slaves.emplace_back(i, weight);
-                              });
-      return slaves;
-    }
-
     /** Joins the row of `giver` to that of `taker`: slaves, masters and gap
      * become means over both areas, what is a force at each node is added. */
     void
@@ -72,9 +48,11 @@ namespace conetact::contact
       // A mean over both areas: sums of forces and a constant pressure are
       // kept.
       const double part = giver.area / (taker.area + giver.area);
-      taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
-      taker.masters     = mean(taker.masters, part, giver.masters);
-      taker.gap         = (1 - part) * taker.gap + part * giver.gap;
+      taker.slaves =
+        pairing::mean_of(own_side(taker), 1 - part, own_side(giver), part);
+      taker.masters =
+        pairing::mean_of(taker.masters, 1 - part, giver.masters, part);
+      taker.gap = (1 - part) * taker.gap + part * giver.gap;
       if (taker.growth && giver.growth)
         taker.growth =
           [part, own = taker.growth, other = giver.growth](const double t) {

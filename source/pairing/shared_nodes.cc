@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/shared_nodes.h"
 
+#include "conetact/pairing/node_weights.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -14,23 +16,6 @@ namespace conetact::pairing
 {
   namespace
   {
-    using Weights = std::vector<std::pair<unsigned int, double>>;
-
-    /** The mean of two means over nodes, in parts of 1. */
-    Weights
-    mean(const Weights &first,
-         const double   first_part,
-         const Weights &second,
-         const double   second_part)
-    {
-      std::map<unsigned int, double> sum;
-      for (const auto &[node, weight] : first)
-        sum[node] += first_part * weight;
-      for (const auto &[node, weight] : second)
-        sum[node] += second_part * weight;
-      return {sum.begin(), sum.end()};
-    }
-
     /** Tells whether contacts have no face in common: what two contacts bind
      * both is held twice, as was asked for. */
     bool
@@ -39,16 +24,6 @@ namespace conetact::pairing
       return std::none_of(one.ids.begin(), one.ids.end(), [&](const auto id) {
         return std::find(two.ids.begin(), two.ids.end(), id) != two.ids.end();
       });
-    }
-
-    Weights
-    own_side(const ContactNode &node)
-    {
-      Weights weights;
-      for_each_slave(node, [&](const unsigned int slave, const double weight) {
-        weights.emplace_back(slave, weight);
-      });
-      return weights;
     }
 
     /**
@@ -129,9 +104,9 @@ namespace conetact::pairing
                      area > 0            ? whole.area / area :
                                            .5;
     const double b = 1 - a;
-    whole.masters  = mean(whole.masters, a, part.masters, b);
+    whole.masters  = mean_of(whole.masters, a, part.masters, b);
     if (!whole.slaves.empty() || !part.slaves.empty())
-      whole.slaves = mean(own_side(whole), a, own_side(part), b);
+      whole.slaves = mean_of(own_side(whole), a, own_side(part), b);
     whole.gap = a * whole.gap + b * part.gap;
     // The area of means is what they cover, that of a part that faces nothing
     // is none. Single nodes have all the area of their faces.

@@ -9,9 +9,9 @@
 namespace conetact
 {
   /**
-   * Brings middle nodes of hexahedra, wedges and pyramids into Gmsh's order by
-   * their places: what Gmsh reads from a .vtk file of second order it keeps in
-   * an order that is neither its own nor VTK's.
+   * Brings middle nodes of cells in space into Gmsh's order by their places:
+   * what Gmsh reads from a .vtk file of second order it keeps in an order that
+   * is neither its own nor VTK's.
    */
   void
   arrange_middles_of_vtk(FileMesh &mesh);
