@@ -74,6 +74,10 @@ namespace conetact::pairing
       contact.reach = reach.empty() ? size_of(*structures[contact.body],
                                               *structures[contact.master]) :
                                       to_number(reach, in + "Reach");
+      if (contact.reach < 0)
+        throw InputError(in + "Reach: '" + reach +
+                         "' is negative. Give a "
+                         "length, or leave the entry empty.");
       if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
         contact.gap.emplace(prm.get("Gap"), in + "Gap");
       const bodies::Surface own =
