@@ -77,28 +77,22 @@ namespace conetact::analysis
                                     const double                part,
                                     pairing::ContactNode       &node) const
   {
-    const auto moved = [&](const pairing::ContactNode &row) {
-      Tensor<1, 3> sum;
-      pairing::for_each_side(row,
-                             [&](const unsigned int body,
-                                 const unsigned int i,
-                                 const double       weight) {
-                               sum += weight * model.displacement(u, body, i);
-                             });
-      return sum;
-    };
-    const double gap_of_last = last.gap + last.n * moved(last);
-    node.n                   = last.n + part * (node.n - last.n);
+    node.n = last.n + part * (node.n - last.n);
     node.n /= node.n.norm();
     if (node.obstacle != nullptr || node.meets_nothing() ||
         last.meets_nothing() || node.master != last.master)
       return;
+    const auto at = [&](const unsigned int body, const unsigned int i) {
+      return model.displacement(u, body, i);
+    };
+    const double gap_of_last =
+      last.gap + last.n * contact::difference_of_sides(last, at);
     node.gap     = (1 - part) * gap_of_last + part * node.gap;
     node.masters = pairing::mean_of(last.masters, 1 - part, node.masters, part);
     if (!node.slaves.empty() || !last.slaves.empty())
       node.slaves =
         pairing::mean_of(own_side(last), 1 - part, own_side(node), part);
-    node.moved = moved(node);
+    node.moved = contact::difference_of_sides(node, at);
   }
 
   ContactSearch::Found

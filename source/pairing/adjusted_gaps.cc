@@ -4,9 +4,11 @@
 #include "conetact/pairing/adjusted_gaps.h"
 
 #include "conetact/pairing/contact_facets.h"
+#include "conetact/pairing/node_to_face.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace conetact::pairing
@@ -27,12 +29,48 @@ namespace conetact::pairing
         return size <= margin ? 0 : gap;
       return std::copysign(ramp * (size - margin) / (ramp - 1), gap);
     }
+    /** Gaps of nodes by themselves, of which means are taken. */
+    class OwnGaps
+    {
+    public:
+      OwnGaps(const Contact                                &contact,
+              const std::vector<const bodies::Structure *> &structures)
+        : one_by_one(contact, structures)
+      {
+        for (const bodies::SurfaceNode &s : one_by_one.slave_surface().nodes)
+          places[s.node] = &s;
+      }
+
+      /** Nothing where a node meets nothing by itself. */
+      std::optional<double>
+      at(const ContactNode &node) const
+      {
+        if (node.obstacle != nullptr)
+          {
+            const auto closest =
+              node.obstacle->shape->closest_after(node.position,
+                                                  Tensor<1, 3>(),
+                                                  node.spacing);
+            return closest ? std::optional<double>(closest->gap) : std::nullopt;
+          }
+        const bodies::SurfaceNode &place = *places.at(node.node);
+        const auto                 foot = one_by_one.foot(place, place.normals);
+        return foot ? std::optional<double>(foot->gap) : std::nullopt;
+      }
+
+    private:
+      NodeToFace                                          one_by_one;
+      std::map<unsigned int, const bodies::SurfaceNode *> places;
+    };
+
     /** By as much as all, but no further than its own gap: where faces are
      * plane, or less bent, its mean is less below that. */
     void
-    lift_node(ContactNode &node, const double lift)
+    lift_node(ContactNode                 &node,
+              const double                 lift,
+              const std::optional<double> &own_gap)
     {
-      const double below = node.own_gap ? *node.own_gap - node.gap : lift;
+      const double below = own_gap ? *own_gap - node.gap : lift;
       if (const double by = std::clamp(below, 0., lift); by > 0)
         node.growth = [by](const double) { return by; };
     }
@@ -58,11 +96,13 @@ namespace conetact::pairing
             if (below > facet_margin * facets->around(node))
               lift = below;
           }
-    if (lift > 0)
-      for (ContactNode &node : nodes)
-        if (node.contact == number)
-          lift_node(node, lift);
-    return lift > 0;
+    if (lift == 0)
+      return false;
+    const OwnGaps own_gaps(contact, structures);
+    for (ContactNode &node : nodes)
+      if (node.contact == number)
+        lift_node(node, lift, own_gaps.at(node));
+    return true;
   }
 
   /* A gap that is adjusted stays the drawn one, and grows by the difference

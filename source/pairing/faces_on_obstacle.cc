@@ -137,7 +137,7 @@ namespace conetact::pairing
     const auto own = closest(node.node);
     if (!own)
       return {};
-    Met met{0, own->normal, {}, own->gap};
+    Met met{0, own->normal, {}};
     for (const auto &[slave, weight] : row.weights)
       {
         const auto there = closest(slave);
@@ -163,7 +163,6 @@ namespace conetact::pairing
                     }).value();
     node.gap       = met.gap;
     node.least_gap = met.least;
-    node.own_gap   = met.own;
     node.n         = met.normal;
     const Row &row = rows.at(node.node);
     // A uniform pressure p has the reaction r = p A W, with the area A.

@@ -439,11 +439,7 @@ namespace conetact::pairing
         if (contact.kind == ContactKind::contact && !contact.gap)
           node.gap = std::max(node.gap, row.lowest - beyond_seen * row.size);
         if (structures[contact.body]->meets_at_corners())
-          {
-            node.least_gap = row.lowest;
-            if (const auto foot = one_by_one.foot(s, s.normals))
-              node.own_gap = foot->gap;
-          }
+          node.least_gap = row.lowest;
         if (!contact.gap)
           one_by_one.judge(node, std::max(node.spacing, row.size));
         return node;

@@ -129,7 +129,6 @@ namespace conetact::pairing
     double gap = 0; ///< undeformed, negative: interference [length]
     /** Of a mean over faces of second degree: the least gap on them. */
     std::optional<double> least_gap;
-    std::optional<double> own_gap; ///< of such a one, at its own corner
     const Obstacle       *obstacle = nullptr; ///< none: a pair of bodies
     ContactKind           kind     = ContactKind::contact;
     /** Of those that are bound: whether the gap is closed, or kept. */

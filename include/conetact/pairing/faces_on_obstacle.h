@@ -50,9 +50,8 @@ namespace conetact::pairing
     struct Met
     {
       double       gap;
-      Tensor<1, 3> normal;  ///< at the corner: on planes of symmetry in them
-      Point<3>     foot;    ///< on the obstacle
-      double       own = 0; ///< gap of the corner itself
+      Tensor<1, 3> normal; ///< at the corner: on planes of symmetry in them
+      Point<3>     foot;   ///< on the obstacle
       /** Gap of the nodes that it is a mean over. */
       double least = std::numeric_limits<double>::max();
     };

@@ -196,13 +196,14 @@ namespace conetact::bodies
       const auto is_part = [](const char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
       };
-      for (std::size_t at = text.find(word); at != std::string::npos;
-           at             = text.find(word, at + 1))
+      std::size_t at = text.find(word);
+      while (at != std::string::npos)
         {
-                      const std::size_t end = at + word.size();
-                      if ((at == 0 || !is_part(text[at - 1])) &&
+          const std::size_t end = at + word.size();
+          if ((at == 0 || !is_part(text[at - 1])) &&
               (end == text.size() || !is_part(text[end])))
             return true;
+          at = text.find(word, end);
         }
       return false;
     }

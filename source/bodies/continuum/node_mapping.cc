@@ -10,21 +10,18 @@ namespace conetact::bodies
   template <int dim>
   NodeMapping<dim>::NodeMapping(const dealii::FiniteElement<dim> &element)
     : dealii::MappingFE<dim>(element)
+    , support(element.get_unit_support_points())
   {
     dealii::GridGenerator::reference_cell(one_cell, element.reference_cell());
     cell = one_cell.begin();
-    cell_at(element.get_unit_support_points());
   }
 
   template <int dim>
   std::unique_ptr<dealii::Mapping<dim>>
   NodeMapping<dim>::clone() const
   {
-    auto    copy   = std::make_unique<NodeMapping<dim>>(element());
-    Support places = relative;
-    for (dealii::Point<dim> &place : places)
-      place += origin;
-    copy->cell_at(places);
+    auto copy = std::make_unique<NodeMapping<dim>>(element());
+    copy->cell_at(support);
     return copy;
   }
 
@@ -32,14 +29,12 @@ namespace conetact::bodies
   const typename NodeMapping<dim>::Cell &
   NodeMapping<dim>::cell_at(const Support &nodes)
   {
-    AssertDimension(nodes.size(), element().n_dofs_per_cell());
+    AssertDimension(nodes.size(), support.size());
+    support              = nodes;
     constexpr double far = 1e3; // from the origin, in sizes of the cell
     const bool       is_far =
       nodes.front().norm() > far * nodes.front().distance(nodes.back());
     origin = is_far ? nodes.front() : dealii::Point<dim>();
-    relative.clear();
-    for (const dealii::Point<dim> &node : nodes)
-      relative.emplace_back(node - origin);
     // deal.II measures by its vertices how large the cell is.
     for (const unsigned int v : cell->vertex_indices())
       cell->vertex(v) = nodes[v];

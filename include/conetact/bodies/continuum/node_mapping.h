@@ -55,6 +55,9 @@ namespace conetact::bodies
     Support
     compute_mapping_support_points(const Cell &) const override
     {
+      Support relative = support;
+      for (dealii::Point<dim> &node : relative)
+        node -= origin;
       return relative;
     }
     dealii::CellSimilarity::Similarity
@@ -73,8 +76,8 @@ namespace conetact::bodies
 
     dealii::Triangulation<dim> one_cell;
     Cell                       cell;
-    dealii::Point<dim>         origin;   ///< or the first node
-    Support                    relative; ///< places of nodes seen from there
+    Support                    support;
+    dealii::Point<dim>         origin; ///< or the first node
   };
 } // namespace conetact::bodies
 
