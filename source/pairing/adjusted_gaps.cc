@@ -41,10 +41,12 @@ namespace conetact::pairing
           places[s.node] = &s;
       }
 
-      /** Nothing where a node meets nothing by itself. */
+      /** Nothing of a node that is no mean, or meets nothing by itself. */
       std::optional<double>
       at(const ContactNode &node) const
       {
+        if (!node.least_gap)
+          return {};
         if (node.obstacle != nullptr)
           {
             const auto closest =
