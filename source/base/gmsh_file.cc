@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <unordered_map>
 
 namespace conetact
 {
@@ -354,12 +355,13 @@ namespace conetact
         return found->second;
       }
 
-      GmshSource                          source;
-      FileMesh                            mesh;
-      double                              version   = 0;
-      bool                                blocks    = false; ///< of version 4
-      bool                                is_binary = false;
-      std::map<std::size_t, unsigned int> numbers; ///< of nodes to points
+      GmshSource source;
+      FileMesh   mesh;
+      double     version   = 0;
+      bool       blocks    = false; ///< of version 4
+      bool       is_binary = false;
+      /** Of nodes to points. */
+      std::unordered_map<std::size_t, unsigned int> numbers;
       /** By dimension and number of a part of the geometry. */
       std::map<std::pair<unsigned int, long>, std::set<unsigned int>> groups_of;
       std::map<std::vector<unsigned int>, std::size_t> known_elements;

@@ -9,6 +9,7 @@
 #include "conetact/bodies/continuum/graphics.h"
 #include "conetact/bodies/continuum/refinement.h"
 
+#include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -37,16 +38,74 @@ namespace conetact::bodies
     }
 
     template <int dim>
+    using Cells =
+      std::vector<typename Triangulation<dim>::active_cell_iterator>;
+
+    /** The way through all of them, one by another. */
+    template <int dim>
+    double
+    length_of_way(const Cells<dim> &cells)
+    {
+      double length = 0;
+      for (std::size_t c = 1; c < cells.size(); ++c)
+        length += cells[c]->vertex(0).distance(cells[c - 1]->vertex(0));
+      return length;
+    }
+
+    /** In the order of the mesh, unless that jumps about, as it does in files
+     * of mesh generators: cells near each other then follow on each other, so
+     * that what is computed of one is still in the cache for the next. */
+    template <int dim>
+    Cells<dim>
+    cells_of(const Triangulation<dim> &mesh)
+    {
+      Cells<dim>              cells;
+      std::vector<Point<dim>> places;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          cells.push_back(cell);
+          places.push_back(cell->vertex(0));
+        }
+      constexpr int bits = 8; // of places along each axis
+      const auto    curve =
+        Utilities::inverse_Hilbert_space_filling_curve(places, bits);
+      Cells<dim> sorted = cells;
+      std::stable_sort(sorted.begin(), sorted.end(), [&](auto &a, auto &b) {
+        return curve[a->active_cell_index()] < curve[b->active_cell_index()];
+      });
+      constexpr double much = 4;
+      return much * length_of_way<dim>(sorted) < length_of_way<dim>(cells) ?
+               sorted :
+               cells;
+    }
+
+    /** Empty where cells come in their order. */
+    template <int dim>
+    std::vector<unsigned int>
+    numbers_of_active(const Cells<dim> &cells)
+    {
+      std::vector<unsigned int> numbers(cells.size());
+      bool                      are_same = true;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        {
+          numbers[cells[c]->active_cell_index()] = c;
+          are_same = are_same && cells[c]->active_cell_index() == c;
+        }
+      return are_same ? std::vector<unsigned int>() : numbers;
+    }
+
+    template <int dim>
     ContinuumMesh<dim>
     plain(const Discretization<dim> &body, const bool has_phases)
     {
       ContinuumMesh<dim> mesh;
       mesh.nodes.resize(body.n_nodes());
-      mesh.n_cell_nodes          = body.fe.dofs_per_cell / dim;
-      mesh.hanging               = body.hanging_nodes();
-      const unsigned int n_cells = body.triangulation->n_active_cells();
-      mesh.nodes_of_cells.reserve(std::size_t{n_cells} * mesh.n_cell_nodes);
-      for (const auto &cell : body.triangulation->active_cell_iterators())
+      mesh.n_cell_nodes      = body.fe.dofs_per_cell / dim;
+      mesh.hanging           = body.hanging_nodes();
+      const Cells<dim> cells = cells_of(*body.triangulation);
+      mesh.number_of_active  = numbers_of_active<dim>(cells);
+      mesh.nodes_of_cells.reserve(cells.size() * mesh.n_cell_nodes);
+      for (const auto &cell : cells)
         {
           mesh.material_ids.push_back(static_cast<int>(cell->material_id()));
           const auto nodes  = body.nodes_of(cell);
@@ -390,7 +449,8 @@ namespace conetact::bodies
          discretization->triangulation->active_cell_iterators())
       errors[cell->active_cell_index()] *=
         extent(cell->center()) *
-        phases[mesh.phase(cell->active_cell_index())].material.stiffness();
+        phases[mesh.phase(mesh.number(cell->active_cell_index()))]
+          .material.stiffness();
     return errors;
   }
 

@@ -152,6 +152,51 @@ namespace conetact::bodies
       }
     };
 
+    /**
+     * Displacements are linear on a triangle or tetrahedron, so that strains
+     * are uniform: the stiffness is a product, of sizes that are known.
+     */
+    template <int dim>
+    class LinearSimplex : public ElementFormulation<dim>
+    {
+    public:
+      explicit LinearSimplex(const ElasticMaterial &material)
+        : Base(material,
+               dealii::FE_SimplexP<dim>(1),
+               dealii::QGaussSimplex<dim>(1))
+      {}
+
+      typename ElementFormulation<dim>::Matrix
+      stiffness(
+        const typename ElementFormulation<dim>::Vertices &x) const override
+      {
+        AssertDimension(x.size(), dim + 1);
+        Tensor<2, dim> edges; // in rows
+        for (unsigned int v = 0; v < dim; ++v)
+          edges[v] = x[v + 1] - x[0];
+        const Tensor<2, dim> gradients = transpose(invert(edges));
+        Tensor<1, dim>       first; // all of them add up to zero
+        for (unsigned int v = 0; v < dim; ++v)
+          first -= gradients[v];
+        const Strains b(this->strain_matrix(dim + 1, [&](const unsigned int v) {
+          return v == 0 ? first : gradients[v - 1];
+        }));
+        const double  volume = determinant(edges) / (dim == 2 ? 2 : 6);
+        const Strains stress = (volume * this->c).lazyProduct(b);
+
+        typename Base::Matrix k(n_dofs, n_dofs);
+        k.noalias() = b.transpose().lazyProduct(stress);
+        // Half of it copied: symmetric to the last bit.
+        k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
+        return k;
+      }
+
+    private:
+      using Base                  = ElementFormulation<dim>;
+      static constexpr int n_dofs = dim * (dim + 1);
+      using Strains = Eigen::Matrix<double, Base::n_strains, n_dofs>;
+    };
+
     template <int dim, template <int> class Element>
     std::unique_ptr<ElementFormulation<dim>>
     create(const ElasticMaterial &material)
@@ -168,19 +213,32 @@ namespace conetact::bodies
                                                        dealii::QGauss<dim>(3));
     }
 
-    /* Strains are uniform and one point is enough. Round an axis they are not,
-       and in one point a triangle would turn about it without strain: three
-       points integrate r times a linear strain as it is. */
-    template <int dim, unsigned int degree>
+    template <int dim>
     std::unique_ptr<ElementFormulation<dim>>
-    create_simplex(const ElasticMaterial &material)
+    create_simplex(const ElasticMaterial &material,
+                   const unsigned int     degree,
+                   const unsigned int     n_points)
     {
-      const unsigned int n_points =
-        degree == 1 && material.is_axisymmetric() ? 2 : 2 * degree - 1;
       return std::make_unique<ElementFormulation<dim>>(
         material,
         dealii::FE_SimplexP<dim>(degree),
         dealii::QGaussSimplex<dim>(n_points));
+    }
+    template <int dim>
+    std::unique_ptr<ElementFormulation<dim>>
+    create_quadratic_simplex(const ElasticMaterial &material)
+    {
+      return create_simplex<dim>(material, 2, 3);
+    }
+    /* Round an axis strains are not uniform, and in one point a triangle would
+       turn about it without strain: three points integrate r times a linear
+       strain as it is. */
+    template <int dim>
+    std::unique_ptr<ElementFormulation<dim>>
+    create_linear_simplex(const ElasticMaterial &material)
+    {
+      return material.is_axisymmetric() ? create_simplex<dim>(material, 1, 2) :
+                                          create<dim, LinearSimplex>(material);
     }
 
     template <int dim>
@@ -221,7 +279,7 @@ namespace conetact::bodies
        true,
        "linear displacements on triangles or tetrahedra, uniform strains; far "
        "too stiff in bending, locks near nu = 0.5",
-       &create_simplex<dim, 1>},
+       &create_linear_simplex<dim>},
       {"Q2",
        false,
        "bi- or triquadratic displacements, nodes in the middle of edges, faces "
@@ -236,7 +294,7 @@ namespace conetact::bodies
        "quadratic displacements on triangles or tetrahedra, nodes in the middle "
        "of edges too, on the curve where these are bent; for bending and for "
        "stresses, nu up to 0.499; not for bodies of revolution",
-       &create_simplex<dim, 2>,
+       &create_quadratic_simplex<dim>,
        false,
        2}};
     return table;

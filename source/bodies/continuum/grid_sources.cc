@@ -169,22 +169,19 @@ namespace conetact::bodies
           }
     }
 
-    /** The corner of a simplex that a face of it does not have. */
+    /** The corner of a simplex that a face of it does not have. Faces are in
+     * deal.II's order: 01, 12, 20 of a triangle; 012, 103, 023, 213 of a
+     * tetrahedron. */
     template <int dim, class Cell>
     dealii::Point<dim>
     corner_off_face(const Cell &cell, const unsigned int face)
     {
-      const auto corners = cell->face(face)->vertex_indices();
-      const auto indices = cell->vertex_indices();
-      return cell->vertex(*std::find_if(
-        indices.begin(), indices.end(), [&](const unsigned int v) {
-          return std::none_of(corners.begin(),
-                              corners.end(),
-                              [&](const unsigned int c) {
-                                return cell->face(face)->vertex_index(c) ==
-                                       cell->vertex_index(v);
-                              });
-        }));
+      const unsigned int corner = dim == 2 ? (face + 2) % 3 : 3 - face;
+      Assert(cell->face(face)->vertex_index(0) != cell->vertex_index(corner) &&
+               cell->face(face)->vertex_index(dim - 1) !=
+                 cell->vertex_index(corner),
+             dealii::ExcInternalError());
+      return cell->vertex(corner);
     }
 
     /** Of the edges from a corner of a face to its others and to p: above zero

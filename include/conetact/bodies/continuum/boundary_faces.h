@@ -21,10 +21,11 @@ namespace conetact::bodies
   public:
     struct Face
     {
-      unsigned int              id;           ///< boundary id
-      unsigned int              cell, number; ///< in the cell
-      std::vector<unsigned int> nodes;        ///< in deal.II's order of faces
-      std::vector<unsigned int> in_cell;      ///< their places among the cell's
+      unsigned int              id;      ///< boundary id
+      unsigned int              active;  ///< index of its cell
+      unsigned int              number;  ///< in the cell
+      std::vector<unsigned int> nodes;   ///< in deal.II's order of faces
+      std::vector<unsigned int> in_cell; ///< their places among the cell's
     };
 
     explicit BoundaryFaces(const Discretization<dim> &body);
@@ -55,8 +56,8 @@ namespace conetact::bodies
       for (const Face &face : faces)
         if (wanted.count(face.id) > 0)
           {
-            values.reinit(mapping.cell_at(mesh.vertices(face.cell)),
-                          face.number);
+            const unsigned int cell = mesh.number(face.active);
+            values.reinit(mapping.cell_at(mesh.vertices(cell)), face.number);
             visit(face, values);
           }
     }

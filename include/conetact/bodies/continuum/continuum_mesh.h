@@ -23,10 +23,12 @@ namespace conetact::bodies
   {
     std::vector<Point<dim>>   nodes;
     unsigned int              n_cell_nodes = 0;
-    std::vector<unsigned int> nodes_of_cells; ///< one active cell by another
+    std::vector<unsigned int> nodes_of_cells; ///< one cell by another
     CountingList              material_ids;   ///< of the cells, as in the file
     std::vector<HangingNode>  hanging;
     std::vector<unsigned int> phase_of_cell; ///< empty: one for all
+    /** The numbers of deal.II's active cells here; empty: the same. */
+    std::vector<unsigned int> number_of_active;
 
     unsigned int
     n_cells() const
@@ -38,6 +40,12 @@ namespace conetact::bodies
     {
       return {&nodes_of_cells[std::size_t{number} * n_cell_nodes],
               n_cell_nodes};
+    }
+    /** The cell that is deal.II's active one of this index. */
+    unsigned int
+    number(const unsigned int active) const
+    {
+      return number_of_active.empty() ? active : number_of_active[active];
     }
     /** Which of the body's materials. */
     unsigned int

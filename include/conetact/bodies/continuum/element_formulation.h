@@ -57,7 +57,7 @@ namespace conetact::bodies
     }
 
     /** Exactly symmetric. */
-    Matrix
+    virtual Matrix
     stiffness(const Vertices &vertices) const;
     /**
      * Nodal forces @f$\int \bar B^T C \varepsilon_0\,dx@f$ that would cause
