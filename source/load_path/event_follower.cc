@@ -245,8 +245,9 @@ namespace conetact::load_path
       return rates;
     ratio_test.turn_closing_nodes(now, from.scheme);
     Rates around = pass_vertex(system, from, now.critical, load_rate);
-    // Without a piece that the path came on, its start, p cannot fall.
-    if (!arrival && around.way < 0)
+    // Without a piece that the path came on, its start, p cannot fall, nor
+    // under Coulomb's law.
+    if (around.way < 0 && (!arrival || options.law == PathLaw::incremental))
       around.outcome = RateOutcome::none;
     return around;
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace conetact::load_path
@@ -55,6 +56,10 @@ namespace conetact::load_path
       active_set(const Scheme &guess, const bool held, Rates &rates) const;
       bool
       corrected(const Rates &rates, Scheme &next) const;
+      /** Whether a node that slips comes to rest on the motion that soft
+       * springs show; the scheme in which it does. */
+      bool
+      stops(const Rates &rates, Scheme &stopped) const;
       void
       correct(const Index  i,
               const Rates &rates,
@@ -217,8 +222,48 @@ namespace conetact::load_path
       // The soft springs on rigid motions were needed on the way only.
       if (active_set(rates.scheme, false, exact))
         return exact;
-      show_motion(rates, load_rate);
+      Scheme stopped;
+      if (!stops(rates, stopped))
+        show_motion(rates, load_rate);
+      else if (active_set(stopped, false, exact))
+        return exact;
+      else
+        rates.outcome = RateOutcome::none;
       return rates;
+    }
+
+
+
+    /* Forces do not change on the way: the node that turns first is where rates
+       come down to zero first. */
+    bool
+    RateProblem::stops(const Rates &rates, Scheme &stopped) const
+    {
+      stopped = rates.scheme;
+      if (!rates.factor.is_driven(load_rate, rates.v))
+        return false;
+      const VectorXd motion  = rates.factor.motion(rates.v);
+      const double   least   = rate_tolerance * solvers::largest(motion);
+      NodeScheme    *first   = nullptr;
+      double         soonest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < stopped.size(); ++i)
+        {
+          NodeScheme        &s = stopped[i];
+          const CriticalNode c = critical[i];
+          const Index        t = system.tangent[i];
+          const bool may_stop  = s.slip > 0 ? c.plus : s.slip < 0 && c.minus;
+          if (t < 0 || !may_stop || !(s.slip * motion(t) < -least))
+            continue;
+          const double when = -rates.v(t) / motion(t);
+          if (when < soonest)
+            {
+              soonest = when;
+              first   = &s;
+            }
+        }
+      if (first != nullptr)
+        first->slip = 0;
+      return first != nullptr;
     }
 
 

@@ -52,7 +52,7 @@ namespace conetact::solvers
   bool
   DenseOperator::is_balanced(const NewtonPoint &point) const
   {
-    constexpr double small = 1e-3; // More left means motion without end.
+    constexpr double small = 1e-6; // More left means motion without end.
     return point.d.tail(numbers.system().n_motions).norm() <=
            small * numbers.force_scale(point.p, point.d);
   }

@@ -7,6 +7,7 @@
 #include "conetact/solvers/node_sets.h"
 #include "conetact/solvers/null_space.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace conetact::solvers
@@ -55,6 +56,45 @@ namespace conetact::solvers
       }
     if (strongest != nullptr)
       strongest->state = NodeState::stick;
+    return sets;
+  }
+
+
+
+  /* The reaction of a node that slips is along its direction, the slip against
+     it. */
+  NodeSets
+  with_first_turned_stuck(const LinearRelation  &relation,
+                          NodeSets               sets,
+                          const Eigen::VectorXd &before,
+                          const Eigen::VectorXd &after)
+  {
+    eigen_assert(static_cast<Index>(sets.size()) ==
+                 relation.system().n_nodes());
+    const ContactSystem &system = relation.system();
+    NodeSet             *first  = nullptr;
+    double               least  = 1; // part of the way
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      {
+        const auto  k = static_cast<Index>(i);
+        const Index n = system.n_tangents(k);
+        if (sets[i].state != NodeState::slip || is_frictionless(relation, k))
+          continue;
+        const auto along = [&](const Eigen::VectorXd &v) {
+          return sets[i].direction.dot(v.segment(system.first[k], n));
+        };
+        const double start = along(before), end = along(after);
+        if (!(end > 0 && end > start))
+          continue;
+        const double part = std::max(0., start / (start - end));
+        if (part < least)
+          {
+            least = part;
+            first = &sets[i];
+          }
+      }
+    if (first != nullptr)
+      first->state = NodeState::stick;
     return sets;
   }
 

@@ -81,10 +81,51 @@ namespace conetact::solvers
 
 
 
+  /* A node that slips again at once does not hold the body either. */
+  std::optional<NewtonPoint>
+  SemismoothNewton::holding_step(const NodeSets    &sets,
+                                 const NewtonPoint &point,
+                                 const double       precision,
+                                 SolverReport      &report) const
+  {
+    std::optional<NewtonPoint> end =
+      system.step(sets, point, precision, report);
+    if (end && signature(sets_of_point(system.relation(), end->p, end->d)) ==
+                 signature(point.sets))
+      end.reset();
+    return end;
+  }
+
+
+
+  /* A body that nothing holds goes the way in which it is driven until a node
+     does not slip any further: one slips along its friction beyond that. */
+  std::optional<NewtonPoint>
+  SemismoothNewton::first_turned_step(const NewtonPoint &point,
+                                      const double       precision,
+                                      SolverReport      &report) const
+  {
+    const LinearRelation            &relation = system.relation();
+    const std::optional<NewtonPoint> driven =
+      system.forced_step(point.sets, point, precision, report);
+    if (!driven)
+      return {};
+    const NodeSets sets =
+      with_first_turned_stuck(relation,
+                              point.sets,
+                              relation.displacements(point.p, point.d),
+                              relation.displacements(driven->p, driven->d));
+    return signature(sets) == signature(point.sets) ?
+             std::nullopt :
+             holding_step(sets, point, precision, report);
+  }
+
+
+
   /* Where nodes that hold a body all slip, as far as the sets know, the matrix
      is singular, though some of them may stick and hold it. So the strongest
-     one is stuck, then all of them; the last way is a step that makes what is
-     left of the motion small. */
+     one is stuck, then the first one that would turn, then all of them; the
+     last way is a step that makes what is left of the motion small. */
   std::optional<NewtonPoint>
   SemismoothNewton::full_step(const NewtonPoint &point,
                               const double       precision,
@@ -96,15 +137,15 @@ namespace conetact::solvers
     if (end)
       return end;
     end =
-      system.step(with_strongest_stuck(relation,
-                                       point.sets,
-                                       relation.reactions(point.p, point.d)),
-                  point,
-                  precision,
-                  report);
-    // A node that slips again at once does not hold the body either.
-    if (end && signature(sets_of_point(relation, end->p, end->d)) !=
-                 signature(point.sets))
+      holding_step(with_strongest_stuck(relation,
+                                        point.sets,
+                                        relation.reactions(point.p, point.d)),
+                   point,
+                   precision,
+                   report);
+    if (!end)
+      end = first_turned_step(point, precision, report);
+    if (end)
       return end;
     const NodeSets stuck = without_slip(relation, point.sets);
     end                  = system.step(stuck, point, precision, report);

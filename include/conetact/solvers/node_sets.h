@@ -93,6 +93,14 @@ namespace conetact::solvers
                        NodeSets               sets,
                        const Eigen::VectorXd &r);
 
+  /** The same with that one stuck which first turns to slip along its friction
+   * on the way from displacements `before` to `after`, if there is one. */
+  NodeSets
+  with_first_turned_stuck(const LinearRelation  &relation,
+                          NodeSets               sets,
+                          const Eigen::VectorXd &before,
+                          const Eigen::VectorXd &after);
+
   /** Whether closed gaps, stuck slips and slips that turn resist all motions
    * that nothing else resists. */
   bool

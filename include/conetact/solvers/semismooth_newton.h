@@ -63,6 +63,15 @@ namespace conetact::solvers
     full_step(const NewtonPoint &point,
               const double       precision,
               SolverReport      &report) const;
+    std::optional<NewtonPoint>
+    holding_step(const NodeSets    &sets,
+                 const NewtonPoint &point,
+                 const double       precision,
+                 SolverReport      &report) const;
+    std::optional<NewtonPoint>
+    first_turned_step(const NewtonPoint &point,
+                      const double       precision,
+                      SolverReport      &report) const;
     NewtonPoint
     shortened(const NewtonPoint &from, NewtonPoint to) const;
 
