@@ -11,6 +11,19 @@ namespace conetact::solvers
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
 
+  namespace
+  {
+    /** Whether what is left of a diagonal entry of W is its rounding, which
+     * may as well be above zero. */
+    bool
+    is_singular(const MatrixXd &W, const Eigen::LLT<MatrixXd> &cholesky)
+    {
+      constexpr double rounding = 1e-12;
+      const VectorXd   pivots   = cholesky.matrixLLT().diagonal();
+      return (pivots.array().square() <= rounding * W.diagonal().array()).any();
+    }
+  } // namespace
+
   StiffnessForm::StiffnessForm(std::shared_ptr<const ContactSystem> given)
     : dual(std::move(given))
   {
@@ -39,7 +52,7 @@ namespace conetact::solvers
       added +=
         G_r * stiffness.cwiseInverse().asDiagonal() * resisted.transpose();
     const Eigen::LLT<MatrixXd> cholesky(W);
-    if (cholesky.info() != Eigen::Success)
+    if (cholesky.info() != Eigen::Success || is_singular(W, cholesky))
       return;
     auto           system = std::make_shared<ContactSystem>(*dual);
     const MatrixXd Y      = cholesky.solve(MatrixXd::Identity(n, n));

@@ -277,7 +277,20 @@ def path_far(laws):
         laws.demand("  small kinematics, no warning", "bottom: kinematics small, both sides are plane" in log and "warning" not in log)
 
 
+def path_shared_nodes(laws):
+    """A node in two contacts with friction is refused whatever rounding makes of its rows."""
+    for young, cells in itertools.product((1.0, 10.0, 100.0, 1e5), ((3, 2), (4, 3), (5, 7), (6, 5))):
+        block = merge(box(cells, (898.2, 417.7), young=young, poisson=.2), {"Element": "Q1"})
+        done, _ = laws.start({"Dimension": 2, "Body block": block, "Obstacle floor": floor(2), "Obstacle wall": {"Shape": "half space", "Normal": (1, 0)},
+                              "Contact bottom": contact(mu=.6), "Contact back": contact(ids=0, obstacle="wall", mu=.3),
+                              "Load weight": load("body force", "0 ; -1e-6"), "Load push": load("traction", "-t ; 0", 1),
+                              "Time": {"Times": 1000}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}})
+        laws.demand(f"a corner in two contacts, E = {young:g}, {cells}",
+                    done.returncode == 1 and "stands in contacts 'bottom' and 'back'" in done.stderr)
+
+
 def path(laws):
+    path_shared_nodes(laws)
     path_far(laws)
     path_prestress(laws)
     path_limits(laws)
