@@ -46,25 +46,72 @@ namespace conetact::analysis
 
 
 
+  namespace
+  {
+    /** "what: a, b, c", a number of each process. */
+    template <typename Number>
+    void
+    note_each(const std::string        &what,
+              const std::vector<Needs> &processes,
+              const Number             &number,
+              Log                      &log)
+    {
+      std::string text;
+      for (const Needs &needs : processes)
+        text += (text.empty() ? "" : ", ") + number(needs);
+      log.note(what + ": " + text);
+    }
+
+    void
+    note_processes(const std::vector<Needs> &processes, Log &log)
+    {
+      const auto count = [](const double Needs::*of) {
+        return [of](const Needs &needs) {
+          return std::to_string(std::llround(needs.*of));
+        };
+      };
+      note_each(
+        "memory of processes",
+        processes,
+        [](const Needs &needs) { return megabytes(needs.peak_memory); },
+        log);
+      note_each(
+        "CPU of processes",
+        processes,
+        [](const Needs &needs) {
+          return to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
+        },
+        log);
+      note_each("elements seen by processes",
+                processes,
+                count(&Needs::elements),
+                log);
+      note_each("nodes of others in one exchange",
+                processes,
+                count(&Needs::ghosts),
+                log);
+      note_each("messages to neighbours",
+                processes,
+                count(&Needs::messages),
+                log);
+      note_each("  their bytes", processes, count(&Needs::bytes), log);
+      note_each("sums and lists of all processes",
+                processes,
+                count(&Needs::n_collective),
+                log);
+      note_each("  bytes of their parts",
+                processes,
+                count(&Needs::collective_bytes),
+                log);
+    }
+  } // namespace
+
   void
   note_work(const Work &work, const std::vector<Needs> &processes, Log &log)
   {
     log.note("memory: " + megabytes(peak_memory()) + " at most");
     if (processes.size() > 1)
-      {
-        std::string memory, time, elements;
-        for (const Needs &needs : processes)
-          {
-            const char *const comma = memory.empty() ? "" : ", ";
-            memory += comma + megabytes(needs.peak_memory);
-            time +=
-              comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
-            elements += comma + std::to_string(std::llround(needs.elements));
-          }
-        log.note("memory of processes: " + memory);
-        log.note("CPU of processes: " + time);
-        log.note("elements seen by processes: " + elements);
-      }
+      note_processes(processes, log);
     else
       log.note("elements seen: " + std::to_string(work.elements));
     log.note(describe(work));

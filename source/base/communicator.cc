@@ -72,6 +72,7 @@ namespace conetact
     {
       if (processes.size() == 1 || length == 0)
         return;
+      traffic().add_collective(at(length) * sizeof(Number));
       if (length <= few)
         return add_in_order(x, length, type, processes);
       MPI_Request request;
@@ -85,6 +86,15 @@ namespace conetact
       wait_for(request);
     }
   } // namespace
+
+
+
+  Traffic &
+  traffic()
+  {
+    static Traffic all;
+    return all;
+  }
 
 
 
@@ -182,6 +192,7 @@ namespace conetact
            dealii::ExcMessage("An int counts the numbers of all."));
     Counts counts;
     counts.own = static_cast<int>(own_numbers);
+    traffic().add_collective(sizeof(int));
     counts.length.resize(at(n));
     MPI_Request request;
     MPI_Iallgather(&counts.own,
@@ -209,6 +220,7 @@ namespace conetact
                            const Counts     &counts,
                            const std::size_t bytes) const
   {
+    traffic().add_collective(at(counts.own) * bytes);
     MPI_Datatype number;
     MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &number);
     MPI_Type_commit(&number);
@@ -231,6 +243,7 @@ namespace conetact
   void
   Communicator::broadcast(void *x, const std::size_t bytes) const
   {
+    traffic().add_collective(own == 0 ? bytes : 0);
     for (std::size_t k = 0; k < bytes; k += longest_message)
       {
         MPI_Request request;
@@ -253,6 +266,7 @@ namespace conetact
     std::vector<int> sent, received(at(n));
     for (const std::vector<int> &list : lists)
       sent.push_back(static_cast<int>(list.size()));
+    traffic().add_collective(sent.size() * sizeof(int));
     MPI_Request request;
     MPI_Ialltoall(
       sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm, &request);
@@ -273,13 +287,16 @@ namespace conetact
       }
     for (int p = 0; p < n; ++p)
       if (sent[at(p)] > 0)
-        MPI_Isend(lists[at(p)].data(),
-                  sent[at(p)],
-                  MPI_INT,
-                  p,
-                  0,
-                  comm,
-                  &requests.emplace_back());
+        {
+          traffic().add_message(lists[at(p)].size() * sizeof(int));
+          MPI_Isend(lists[at(p)].data(),
+                    sent[at(p)],
+                    MPI_INT,
+                    p,
+                    0,
+                    comm,
+                    &requests.emplace_back());
+        }
     wait(requests);
     return result;
   }

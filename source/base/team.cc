@@ -315,14 +315,25 @@ namespace conetact
       return static_cast<double>(t.tv_sec) +
              1e-6 * static_cast<double>(t.tv_usec);
     };
-    Eigen::VectorXd own(3);
+    const Traffic   sent = traffic();
+    Eigen::VectorXd own(8);
     own << 1024. * static_cast<double>(usage.ru_maxrss),
       seconds(usage.ru_utime) + seconds(usage.ru_stime),
-      static_cast<double>(elements);
+      static_cast<double>(elements), static_cast<double>(sent.ghosts),
+      static_cast<double>(sent.messages), static_cast<double>(sent.bytes),
+      static_cast<double>(sent.n_collective),
+      static_cast<double>(sent.collective_bytes);
     const Eigen::VectorXd found = team().gather_all(own);
     std::vector<Needs>    needs;
     for (Eigen::Index p = 0; p < found.size(); p += own.size())
-      needs.push_back({found(p), found(p + 1), found(p + 2)});
+      needs.push_back({found(p),
+                       found(p + 1),
+                       found(p + 2),
+                       found(p + 3),
+                       found(p + 4),
+                       found(p + 5),
+                       found(p + 6),
+                       found(p + 7)});
     return needs;
   }
 } // namespace conetact

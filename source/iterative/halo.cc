@@ -44,5 +44,7 @@ namespace conetact::iterative
           sides.push_back({static_cast<int>(p), wanted[p], place, length});
         place += length;
       }
+    std::uint64_t &ghosts = traffic().ghosts;
+    ghosts                = std::max<std::uint64_t>(ghosts, needed.size());
   }
 } // namespace conetact::iterative

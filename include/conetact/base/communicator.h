@@ -7,12 +7,37 @@
 #include <Eigen/Core>
 #include <mpi.h>
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace conetact
 {
+  /** What this process has sent to others since it started. */
+  struct Traffic
+  {
+    std::uint64_t messages = 0, bytes = 0;                ///< to neighbours
+    std::uint64_t n_collective = 0, collective_bytes = 0; ///< its part
+    std::uint64_t ghosts = 0; ///< most nodes of others in one exchange
+
+    void
+    add_message(const std::size_t n_bytes)
+    {
+      ++messages;
+      bytes += n_bytes;
+    }
+    void
+    add_collective(const std::size_t n_bytes)
+    {
+      ++n_collective;
+      collective_bytes += n_bytes;
+    }
+  };
+  /** That of this process, which all communicators count. */
+  Traffic &
+  traffic();
+
   /**
    * The first processes of a run, which do something together; by default this
    * process alone. All of them must call each function, in the same order. One

@@ -99,7 +99,10 @@ namespace conetact
   {
     double peak_memory = 0; ///< [bytes]
     double cpu_seconds = 0;
-    double elements    = 0; ///< that it has looked at
+    double elements    = 0;         ///< that it has looked at
+    double ghosts      = 0;         ///< most nodes of others in one exchange
+    double messages = 0, bytes = 0; ///< to neighbours
+    double n_collective = 0, collective_bytes = 0; ///< what all do, its part
   };
   /** Of each process of the team, of which this one has looked at so many
    * elements. */

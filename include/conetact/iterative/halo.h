@@ -137,14 +137,16 @@ namespace conetact::iterative
     void
     send(const HaloPlan::Side &side, const Number *from, const int n)
     {
-      if (n > 0)
-        MPI_Isend(from,
-                  bytes(n),
-                  MPI_BYTE,
-                  side.rank,
-                  1,
-                  plan->comm,
-                  &requests.emplace_back());
+      if (n == 0)
+        return;
+      traffic().add_message(static_cast<std::size_t>(bytes(n)));
+      MPI_Isend(from,
+                bytes(n),
+                MPI_BYTE,
+                side.rank,
+                1,
+                plan->comm,
+                &requests.emplace_back());
     }
     void
     wait()

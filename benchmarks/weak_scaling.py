@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What grows with the number of processes where each has the same share: counted, not timed.
+
+usage: weak_scaling.py [--build FOLDER] [--results FOLDER] [--cells N] [--processes N...]
+
+Each process has N^3 cells of block-press-shear.prm (N = 12), in blocks of N x N x N side by side. Processes may be more than
+cores, as nothing is timed. Messages and bytes an iteration are those of a run with three increments less those of a run with
+one, over the iterations between them; cells, nodes of others (ghosts) and memory, without the libraries that a process with
+hardly any mesh has, are those of the run with three. Prints a table, and writes weak_scaling.csv and, where matplotlib is
+there, weak_scaling.png to FOLDER.
+"""
+import argparse
+import csv
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from measure import TOP
+
+COLUMNS = ("processes", "dofs", "iterations an increment", "messages", "bytes", "sums", "bytes of sums", "cells", "cells, largest over mean",
+           "ghosts", "memory MB")
+SHAPES = {1: (1, 1, 1), 2: (2, 1, 1), 4: (2, 2, 1), 8: (2, 2, 2), 16: (4, 2, 2), 32: (4, 4, 2), 64: (4, 4, 4)}
+
+
+def run(build, processes, cells, increments):
+    """log.txt and the linear iterations of each increment."""
+    counts = [cells * n for n in SHAPES[processes]]
+    sides = [n / SHAPES[processes][2] for n in SHAPES[processes]]
+    with tempfile.TemporaryDirectory() as folder:
+        changes = ["Solver/Backend=iterative", "Output/VTU=0", f"Time/End={increments}", f"Time/Increments={increments}",
+                   "Body block/Mesh/Arguments=" + " : ".join(", ".join(map(str, part)) for part in (counts, (0, 0, 0), sides)) + " : true"]
+        command = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", str(processes)] if processes > 1 else []
+        command += [str(build / "conetact"), str(TOP / "parameter-files/block-press-shear.prm"), "-q", "-o", folder]
+        for change in changes:
+            command += ["-s", change]
+        subprocess.run(command, check=True)
+        return (Path(folder) / "log.txt").read_text()
+
+
+def numbers(log, name):
+    """Those of each process; with one process there is no such line."""
+    found = re.search(rf"^ *{name}: (.*)$", log, re.M)
+    return [float(part.split()[0]) for part in found[1].split(", ")] if found else []
+
+
+def iterations(log):
+    return int(re.search(r"(\d+) linear iterations", log)[1])
+
+
+def measure(build, processes, cells, libraries):
+    first, last = (run(build, processes, cells, n) for n in (1, 3))
+    between = iterations(last) - iterations(first)
+
+    def each(name):
+        ends = [max(numbers(log, name), default=0) for log in (first, last)]
+        return (ends[1] - ends[0]) / between
+    seen = numbers(last, "elements seen by processes") or [float(re.search(r"elements seen: (\d+)", last)[1])]
+    memory = numbers(last, "memory of processes") or [float(re.search(r"memory: ([\d.]+) MB", last)[1])]
+    if processes == 1:
+        measure.passes = seen[0] / cells**3
+    dofs = 3
+    for n in SHAPES[processes]:
+        dofs *= n * cells + 1
+    return dict(zip(COLUMNS, (processes, dofs, iterations(last) / 3, each("messages to neighbours"), each("their bytes"),
+                              each("sums and lists of all processes"), each("bytes of their parts"), max(seen) / measure.passes,
+                              max(seen) * len(seen) / sum(seen), max(numbers(last, "nodes of others in one exchange"), default=0),
+                              max(memory) - libraries)))
+
+
+def show(rows):
+    print("|", " | ".join(COLUMNS), "|\n|" + "---|" * len(COLUMNS))
+    for row in rows:
+        print("|", " | ".join(f"{row[c]:.4g}" if row[c] < 1e4 else f"{row[c]:.0f}" for c in COLUMNS), "|")
+
+
+def draw(rows, file):
+    try:
+        import matplotlib
+    except ImportError:
+        return print("matplotlib is not installed (Debian: python3-matplotlib): no picture")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(1, 3, figsize=(12, 3.6), constrained_layout=True)
+    n = [row["processes"] for row in rows]
+    for axis, columns in zip(axes, (("iterations an increment", "messages", "sums"), ("bytes", "bytes of sums"), ("cells", "ghosts", "memory MB"))):
+        for column in columns:
+            axis.loglog(n, [max(row[column], 1e-2) for row in rows], "o-", label=column)
+        axis.set(xlabel="processes", xticks=n, xticklabels=n)
+        axis.minorticks_off()
+        axis.legend()
+    axes[0].set_title("of a process and iteration")
+    axes[1].set_title("of a process and iteration")
+    axes[2].set_title("of the process that has most")
+    figure.savefig(file, dpi=150)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--build", type=Path, default=TOP / "build")
+    parser.add_argument("--results", type=Path, default=TOP / "benchmarks/results")
+    parser.add_argument("--cells", type=int, default=12, metavar="N")
+    parser.add_argument("--processes", type=int, nargs="*", default=[1, 2, 4, 8, 16, 32], choices=sorted(SHAPES), metavar="N")
+    options = parser.parse_args()
+    options.results.mkdir(parents=True, exist_ok=True)
+    build = options.build.resolve()
+    small = run(build, 1, 2, 1)
+    libraries = float(re.search(r"memory: ([\d.]+) MB", small)[1])
+    processes = sorted({1, *options.processes})  # one process tells how often elements are looked at
+    rows = [measure(build, n, options.cells, libraries) for n in processes]
+    show(rows)
+    with open(options.results / "weak_scaling.csv", "w", newline="") as stream:
+        table = csv.DictWriter(stream, COLUMNS)
+        table.writeheader()
+        table.writerows(rows)
+    draw(rows, options.results / "weak_scaling.png")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
