@@ -85,6 +85,7 @@ namespace conetact::analysis
     {
       const contact::ContactHistory &after = increment.after;
       contact::KeptByLaws            kept{after.memory().worn,
+                               after.memory().removed,
                                after.memory().broken,
                                {},
                                increment.wet};

@@ -21,6 +21,7 @@ namespace conetact::contact
       numbers_of_memory[] = {{"contact/slipped", &LawMemory::slipped},
                              {"contact/shorn", &LawMemory::shorn},
                              {"contact/worn", &LawMemory::worn},
+                             {"contact/removed", &LawMemory::removed},
                              {"contact/packed", &LawMemory::packed},
                              {"contact/opened", &LawMemory::opened},
                              {"contact/parted", &LawMemory::parted},
@@ -317,7 +318,9 @@ namespace conetact::contact
         laws_know.slipped += laws->slips(end);
         laws_know.shorn += laws->shears(end);
         // Both are of this increment: what wears is a slip times a pressure.
-        laws_know.worn += laws->wear(end);
+        const Eigen::VectorXd depths = laws->wear(end);
+        laws_know.worn += depths;
+        laws_know.removed += depths.cwiseProduct(laws->areas());
         laws_know.packed = laws_know.packed.cwiseMax(laws->pressures(end));
       }
     if (laws != nullptr && laws->has_bonds())

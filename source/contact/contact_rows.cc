@@ -292,6 +292,7 @@ namespace conetact::contact
     const double share = layer ? layer->share_of_slave() : 0.;
     row.wear           = share * kept.worn[k];
     row.wear_opposite  = (1 - share) * kept.worn[k];
+    row.removed        = kept.removed[k];
     row.fracture       = kept.fracture[k];
   }
 

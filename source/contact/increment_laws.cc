@@ -173,6 +173,13 @@ namespace conetact::contact
     });
   }
 
+  Eigen::VectorXd
+  IncrementLaws::areas() const
+  {
+    return of_each(
+      [&](const Index i) { return points[i].node->covered_area(); });
+  }
+
   /* Of the end of an increment: the largest pressure so far is what a layer
      unloads from. Only what is accepted is asked for a layer that falls; on the
      way to it iterates may press by anything. */

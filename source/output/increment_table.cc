@@ -38,11 +38,11 @@ namespace conetact::output
       return sum;
     }
 
-    /** What is rubbed off both sides of a contact node [length^3]. */
+    /** What is rubbed off both sides at a contact node [length^3]. */
     double
     worn_volume(const model::ContactRow &row)
     {
-      return (row.wear + row.wear_opposite) * row.area;
+      return row.removed;
     }
 
     /** Work against its bond [force x length]. */

@@ -4,6 +4,7 @@
 import math
 from pathlib import Path
 
+from support.logs import log_of
 from support.scenes import box, contact, floor, load, merge, press_and_shear, support
 
 YOUNG, SPRINGS = 1000.0, 20.0
@@ -230,6 +231,24 @@ def together(laws):
     laws.demand("loads on what only contacts hold that are not active", done.returncode == 2 and "contacts that are active" in done.stderr)
 
 
+def worn_far(laws):
+    """A slider on a long track: the volume is k times the work of normal forces on ways, whatever has been left behind; what the other
+    side loses stays with nodes of Body, which is told."""
+    k = 1e-5
+    for body, other, ids, share in (("slider", "track", (2, 3), .5), ("track", "slider", (3, 2), .5), ("track", "slider", (3, 2), 1)):
+        run = laws.run({"Dimension": 2, "Body slider": box((6, 2), (2.0, 1.0), poisson=0), "Body track": box((36, 2), (9.0, 1.0), (-1.0, -1.0), poisson=0),
+                        "Contact face": {"Body": body, "Boundary ids": ids[0], "Master body": other, "Master boundary ids": ids[1],
+                                         "Friction coefficient": .1, "Kinematics": "finite sliding", "Wear coefficient": k,
+                                         "Wear share": share, "Wear integration": "implicit"},
+                        "Support top": support(3, "x, y", "5*max(t - 1, 0) ; -0.01", "slider"), "Support bottom": support(2, "x, y", body="track"),
+                        "Time": {"Stages": "1 : 1, 2 : 20"}, "Output": {"VTU": 0}})
+        work = sum(row["r_n"] * abs(row["du_t1"]) for row in run.rows if row["contact"] == "face" and row["state"] == "slip")
+        volumes = [row["face_worn"] for row in run.increments]
+        laws.check(f"worn far, {body} as Body, share {share}: volume over k r_n |du|", abs(volumes[-1] / (k * work) - 1), 1e-12)
+        laws.demand("  it never falls", all(a <= b for a, b in zip(volumes, volumes[1:])))
+        laws.demand("  what stays with Body is told", ("stays with the nodes" in log_of(run)) == (share < 1))
+
+
 def layers(laws):
     stages(laws)
     together(laws)
@@ -237,4 +256,5 @@ def layers(laws):
     friction(laws)
     soft(laws)
     wear(laws)
+    worn_far(laws)
     restarted(laws)

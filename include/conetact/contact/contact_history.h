@@ -20,6 +20,7 @@ namespace conetact::contact
     Eigen::VectorXd slipped; ///< way so far, in contact [length]
     Eigen::VectorXd shorn;   ///< that of bonds, in contact or not [length]
     Eigen::VectorXd worn;    ///< depth so far, which opens its gap [length]
+    Eigen::VectorXd removed; ///< volume so far: area changes [length^3]
     Eigen::VectorXd packed;  ///< largest pressure so far [stress]
     /** Largest opening of a bonded node so far, never_closed of what was open
      * at the start [length]. */

@@ -17,6 +17,7 @@ namespace conetact::contact
   struct KeptByLaws
   {
     Eigen::VectorXd   worn;     ///< depths [length]
+    Eigen::VectorXd   removed;  ///< volumes [length^3]
     Eigen::VectorXd   fracture; ///< work against bonds [force x length]
     std::vector<bool> whole;    ///< bonds
     std::vector<bool> wet;      ///< what a fluid has reached

@@ -121,6 +121,9 @@ namespace conetact::contact
     shears(const solvers::ContactState &end) const;
     Eigen::VectorXd
     wear(const solvers::ContactState &end) const;
+    /** On which candidates press [length^2]. */
+    Eigen::VectorXd
+    areas() const;
     /** Pressures of all candidates at the end; 0 without areas [stress]. */
     Eigen::VectorXd
     pressures(const solvers::ContactState &end) const;

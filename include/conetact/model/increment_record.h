@@ -33,7 +33,8 @@ namespace conetact::model
     solvers::NodeState state  = solvers::NodeState::open;
     bool               master = false; ///< the other side of a pair of bodies
     double             wear   = 0;     ///< depth that this side has lost
-    double             wear_opposite = 0;     ///< and the other one [length]
+    double             wear_opposite = 0; ///< and the other one [length]
+    double             removed       = 0; ///< volume of both so far [length^3]
     bool               bonded        = false; ///< sticks, and would bear a pull
     bool               wet           = false; ///< a fluid is between its sides
     double             fracture = 0; ///< work against its bond [force x length]
