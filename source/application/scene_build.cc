@@ -211,6 +211,12 @@ namespace conetact::application
                 });
     if (entries.finds_contacts)
       add_automatic_contacts();
+    for (bodies::Load &load : loads)
+      load.warms_contacts =
+        std::any_of(contacts.begin(), contacts.end(), [&](const auto &contact) {
+          return contact.body == load.body &&
+                 pairing::has_law_of_temperature(contact);
+        });
   }
 
   void

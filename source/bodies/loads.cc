@@ -185,8 +185,11 @@ namespace conetact::bodies
     else if (!a)
       add_nodal_forces(*this, structure, t, f);
     else if (kind == Kind::temperature && !structure.expands())
-      throw InputError(in + "Body: nothing in it expands. Set Expansion "
-                            "coefficient in its Material or Sections.");
+      {
+        if (!warms_contacts)
+          throw InputError(in + "Body: nothing in it expands. Set Expansion "
+                                "coefficient in its Material or Sections.");
+      }
     else if (!structure.add(*a, f))
       throw InputError(in + why_nothing_takes(*a));
   }

@@ -285,9 +285,7 @@ namespace conetact::contact
         known[i].opened  = laws_know.opened[static_cast<Eigen::Index>(i)];
         known[i].packed  = laws_know.packed[static_cast<Eigen::Index>(i)];
         known[i].gap     = gap[static_cast<Eigen::Index>(i)];
-        if ((node.friction && node.friction->uses_temperature()) ||
-            (node.layer && node.layer->uses_temperature()) ||
-            (node.bond && node.bond->uses_temperature()))
+        if (pairing::has_law_of_temperature(node))
           known[i].temperature = temperature(node.body, node.position);
       }
     return std::make_shared<IncrementLaws>(

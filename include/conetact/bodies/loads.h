@@ -49,7 +49,10 @@ namespace conetact::bodies
     std::shared_ptr<const SpreadForce> spread;
     /** Whether the faces of its boundary ids move as one with its point: it
      * acts on a rigid body of theirs then, whose first node the point is. */
-    bool                      is_rigid = false;
+    bool is_rigid = false;
+    /** Whether laws of contacts take the temperatures that it gives: then its
+     * body need not expand. */
+    bool                      warms_contacts = false;
     std::vector<Expression>   value;  ///< a component each, or one
     std::optional<Expression> active; ///< of t: 0 where it is not there
     /** Of initial strains: the axes of each component. */

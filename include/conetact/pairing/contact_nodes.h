@@ -440,6 +440,17 @@ namespace conetact::pairing
                      const std::vector<std::string>               &bodies,
                      const std::vector<const bodies::Structure *> &structures,
                      const unsigned int                            dim);
+
+  /** Whether a law of a contact, or of a node of it, asks for the temperature
+   * of the body. */
+  template <class WithLaws>
+  bool
+  has_law_of_temperature(const WithLaws &of)
+  {
+    return (of.friction && of.friction->uses_temperature()) ||
+           (of.layer && of.layer->uses_temperature()) ||
+           (of.bond && of.bond->uses_temperature());
+  }
 } // namespace conetact::pairing
 
 #endif
