@@ -6,7 +6,6 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/bound_nodes.h"
-#include "conetact/contact/held_nodes.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -380,7 +379,7 @@ namespace conetact::contact
     if (is_spanned(node.n, held))
       {
         ++found_traits.n_held;
-        // Of a mean nobody else would take the pressure (held_nodes.h).
+        // Of a mean nobody else would take the pressure (give_up_held_nodes).
         if (node.is_mean && node.slides && !node.meets_nothing())
           return "Finite sliding: " + why_it_does_not_slide(node, bodies) + ".";
         return {};

@@ -64,17 +64,6 @@ namespace conetact::contact
     }
   } // namespace
 
-  std::string
-  why_it_does_not_slide(const pairing::ContactNode &node,
-                        const model::Bodies        &bodies)
-  {
-    return "a support holds the contact node at " + to_text(node.position) +
-           " of body '" + bodies.names[node.body] +
-           "' along its contact normal, which mortar contacts that slide far "
-           "do not know. Take it out of the support or of the contact, or "
-           "choose Pairing = node to face";
-  }
-
   /* A held node gives its part to the nearest one (give_up_held_nodes). Which
      one that is would change as nodes slide, and with it rows of the contact:
      these nodes are refused. Those that meet nothing have nothing to give;

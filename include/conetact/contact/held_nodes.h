@@ -28,11 +28,6 @@ namespace conetact::contact
    */
   std::map<unsigned int, std::string>
   why_held_nodes_do_not_slide(const model::Bodies &bodies);
-
-  /** The same sentence of such a node. */
-  std::string
-  why_it_does_not_slide(const pairing::ContactNode &node,
-                        const model::Bodies        &bodies);
 } // namespace conetact::contact
 
 #endif
