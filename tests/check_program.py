@@ -287,7 +287,9 @@ class Case:
         for name, change, words in (
                 ("bolt-preload", "Contact cut/Preload locked from=99", "Contact 'cut', Preload locked from: it is never locked"),
                 ("block-press-shear", "Obstacle floor/Displacement=0 ; 0 ; 0.01*(1 - t)",
-                 "Obstacle 'floor', Displacement: it is (0, 0, 0.01) at t = 0")):
+                 "Obstacle 'floor', Displacement: it is (0, 0, 0.01) at t = 0"),
+                ("block-press-shear", "Support top/Displacement=0 ; 0 ; -0.01*(1 + t)",
+                 "Support 'top', Displacement: it is -0.01 at")):
             run = subprocess.run([self.program, SCENES / f"{name}.prm", "--dry-run", "-s", change], cwd=self.folder,
                                  capture_output=True, text=True)
             self.demand(f"{name} with {change}: warned", f"\nwarning: {words}" in run.stdout, run.stdout + run.stderr)

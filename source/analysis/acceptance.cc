@@ -265,8 +265,10 @@ namespace conetact::analysis
   /* What is asked for is done, and said. What has been chosen is left for
      finite sliding, where that is possible. */
   std::string
-  Acceptance::leave(const unsigned int contact, const std::string &why)
+  Acceptance::leave(const unsigned int           contact,
+                    const SmallKinematics::Left &left)
   {
+    const std::string &why = left.why;
     AssertIndexRange(contact, scene.kinematics.size());
     Assert(!why.empty(), dealii::ExcMessage("What is left has a reason."));
     const pairing::ContactKinematics &of = scene.kinematics[contact];
@@ -285,12 +287,15 @@ namespace conetact::analysis
         leaves.emplace(contact, why);
         return why;
       }
-    return why +
+    return why + (left.is_let_go ? ": then no equilibrium exists" : "") +
            ". Contact is that of the undeformed bodies: finite sliding, which "
            "would follow them, is not for it (" +
-           of.why_not_finite +
-           "). Use a smaller motion; Kinematics = small takes such results, "
-           "with a warning";
+           of.why_not_finite + "). " +
+           (left.is_let_go ?
+              "Apply less load; where supports move bodies, use a smaller "
+              "motion" :
+              "Use a smaller motion; Kinematics = small takes such results, "
+              "with a warning");
   }
 
   std::string
@@ -298,8 +303,8 @@ namespace conetact::analysis
   {
     constexpr double too_far = .25; // rad
     std::string      reason;
-    for (const auto &[contact, why] : small.left(end))
-      if (const std::string more = leave(contact, why); reason.empty())
+    for (const auto &[contact, left] : small.left(end))
+      if (const std::string more = leave(contact, left); reason.empty())
         reason = more;
     for (const SmallKinematics::Turned &turned : small.turned(end.amounts))
       if (turned.angle <= too_far)

@@ -125,7 +125,7 @@ namespace conetact::analysis
   void
   ContactNotices::say_start(Log &log) const
   {
-    std::vector<std::string> interferences;
+    std::vector<std::string> warned;
     for (unsigned int c = 0; c < facets.size(); ++c)
       {
         const double one   = facets[c].largest_of_slave();
@@ -135,11 +135,27 @@ namespace conetact::analysis
                    ": facets stand off curved surfaces by up to " +
                    to_text(one) + " on the body and " + to_text(other) +
                    " on the other side");
-        if (const std::string sentence = interference(c, log);
-            !sentence.empty())
-          interferences.push_back(sentence);
+        for (const std::string &sentence : {interference(c, log), hinge(c)})
+          if (!sentence.empty())
+            warned.push_back(sentence);
       }
-    warn(interferences, log);
+    warn(warned, log);
+  }
+
+  /* Of two polygons that may not part one does not turn in the other. */
+  std::string
+  ContactNotices::hinge(const unsigned int c) const
+  {
+    const double off =
+      std::max(facets[c].largest_of_slave(), facets[c].largest_of_master());
+    if (contacts.contact(c).kind != pairing::ContactKind::bilateral || off == 0)
+      return "";
+    return "contact '" + contacts.contact(c).name +
+           "': facets stand off its curved surfaces by up to " + to_text(off) +
+           ", and sides that may not part do not slide freely on facets: a "
+           "joint passes a moment about its own axis. Use bent cells of second "
+           "degree (Order = 2 of a drawing), or smaller cells until results "
+           "stay the same.";
   }
 
   std::string

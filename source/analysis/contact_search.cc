@@ -54,10 +54,27 @@ namespace conetact::analysis
       keep_faced);
   }
 
+  /* Whether supports hold a node along its normal decides which unknowns it
+     has: where it meets nothing its faces, as they bend, must not change that.
+   */
+  void
+  ContactSearch::keep_normals_of_held(Nodes &nodes) const
+  {
+    const Nodes &last = model.points.nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (pairing::ContactNode &node = nodes[i];
+          node.slides && node.meets_nothing())
+        if (const contact::NodeRule *rule =
+              model.rules.find(node.body, node.node);
+            rule != nullptr && !rule->held.empty())
+          pairing::set_frame(node, last[i].n, model.bodies.dim);
+  }
+
   ContactSearch::Found
   ContactSearch::linearised(Found found) const
   {
     contact::align_with_supports(model.bodies, found.nodes);
+    keep_normals_of_held(found.nodes);
     contacts.linearise(found.nodes);
     return found;
   }

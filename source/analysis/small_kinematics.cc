@@ -148,7 +148,7 @@ namespace conetact::analysis
       }
   }
 
-  std::map<unsigned int, std::string>
+  SmallKinematics::Found
   SmallKinematics::left(const IncrementEnd &end) const
   {
     Found found;
@@ -194,11 +194,12 @@ namespace conetact::analysis
           if (is_far || (mu > 0 && turn > little * mu))
             found.emplace(
               node.contact,
-              model.bodies.called(node.body) + " rolls by " + to_text(turn) +
-                " rad at its contact node " + to_text(node.position) +
-                (is_far ?
-                   ", more than its faces turn from one to the next" :
-                   ", which makes a moment beside that of its friction"));
+              Left{model.bodies.called(node.body) + " rolls by " +
+                   to_text(turn) + " rad at its contact node " +
+                   to_text(node.position) +
+                   (is_far ?
+                      ", more than its faces turn from one to the next" :
+                      ", which makes a moment beside that of its friction")});
         }
   }
 
@@ -245,7 +246,7 @@ namespace conetact::analysis
       }
     for (const auto &[contact, nodes] : moved)
       if (const auto worst = pairing::worst_gap_error(nodes, indentation))
-        found.emplace(contact, pairing::to_sentence(*worst));
+        found.emplace(contact, Left{pairing::to_sentence(*worst)});
   }
 
   /** Prescribed, or found with that of the bodies. */
@@ -294,18 +295,20 @@ namespace conetact::analysis
         // Opening does not move the foot, sliding does.
         slid -= (slid * node.n) * node.n;
         constexpr double far = 10; // cells: what holds bodies lets go of them
+        const bool       is_let_go = slid.norm() > far * node.spacing;
         if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing &&
             found.count(node.contact) == 0 && !stays_open(i))
           found.emplace(node.contact,
-                        "the contact node at " + to_text(node.position) +
-                          " of " + model.bodies.called(node.body) +
-                          " has slid by " + to_text(slid.norm()) +
-                          " along its master, more than a cell (" +
-                          to_text(node.spacing) + ")" +
-                          (slid.norm() > far * node.spacing ?
-                             ", as where loads are beyond what friction can "
-                             "hold" :
-                             ""));
+                        Left{"the contact node at " + to_text(node.position) +
+                               " of " + model.bodies.called(node.body) +
+                               " has slid by " + to_text(slid.norm()) +
+                               " along its master, more than a cell (" +
+                               to_text(node.spacing) + ")" +
+                               (is_let_go ?
+                                  ", as where loads are beyond what friction "
+                                  "can hold" :
+                                  ""),
+                             is_let_go});
       }
   }
 
@@ -326,10 +329,11 @@ namespace conetact::analysis
             node.spring->point().distance(node.spring->end());
           if (across > largest_turn * length && length > 0)
             found.emplace(node.contact,
-                          "the spring at " + to_text(node.position) +
-                            " turns by " + to_text(std::atan2(across, length)) +
-                            " rad, and pulls or pushes along its undeformed "
-                            "direction");
+                          Left{"the spring at " + to_text(node.position) +
+                               " turns by " +
+                               to_text(std::atan2(across, length)) +
+                               " rad, and pulls or pushes along its undeformed "
+                               "direction"});
         }
   }
 
@@ -353,13 +357,14 @@ namespace conetact::analysis
         const double turn = model.motions.rotation(end.amounts, node.master);
         if (turn * apart.norm() > largest_false_slip * node.spacing)
           found.emplace(node.contact,
-                        model.bodies.called(node.master) + " turns by " +
-                          to_text(turn) + " rad, and the contact node at " +
-                          to_text(node.position) + " of " +
-                          model.bodies.called(node.body) + " was " +
-                          to_text(apart.norm()) +
-                          " away from it, so that the slip there is off by " +
-                          to_text(turn * apart.norm()));
+                        Left{model.bodies.called(node.master) + " turns by " +
+                             to_text(turn) + " rad, and the contact node at " +
+                             to_text(node.position) + " of " +
+                             model.bodies.called(node.body) + " was " +
+                             to_text(apart.norm()) +
+                             " away from it, so that the slip there is off "
+                             "by " +
+                             to_text(turn * apart.norm())});
       }
   }
 

@@ -94,7 +94,8 @@ namespace conetact::application
         const std::vector<std::string> parts = split(stage, ':');
         if (parts.size() != 2)
           throw InputError("Time/Stages: '" + stage +
-                           "' is not 'end : increments'.");
+                           "' is not 'end : increments'. Commas stand between "
+                           "stages, as in 1 : 2, 3 : 4.");
         append_stage(times,
                      to_number(parts[0], "Time/Stages"),
                      to_number(parts[1], "Time/Stages"));

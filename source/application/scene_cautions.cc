@@ -20,6 +20,24 @@ namespace conetact::application
       return move.norm() == 0 ? "" : "Displacement: it is " + to_text(move);
     }
 
+    /** The same of a support, whose displacements may be constant: then they
+     * are meant. */
+    std::string
+    jump(const bodies::Support &support, const double end)
+    {
+      if (support.turn)
+        if (const double turn = support.turn->angle(Point<3>(), 0);
+            turn != 0 && turn != support.turn->angle(Point<3>(), end))
+          return "Turn: it is " + to_text(turn) + " degrees";
+      for (const Expression &displacement : support.displacement)
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
+          if (const double move = displacement(node.position, 0);
+              move != 0 && move != displacement(node.position, end))
+            return "Displacement: it is " + to_text(move) + " at " +
+                   to_text(node.position);
+      return "";
+    }
+
     /** The entry of a body in space that says something in the plane only;
      * empty: there is none. */
     std::string
@@ -53,6 +71,12 @@ namespace conetact::application
           " at t = 0, when the obstacle stands as its shape says: the first "
           "increment moves it by that, too. Begin with 0, or place the shape "
           "there.");
+    for (const bodies::Support &support : bodies.supports)
+      if (const std::string what = jump(support, times.back()); !what.empty())
+        sentences.push_back(
+          "Support '" + support.name + "', " + what +
+          " at t = 0, when bodies are as they are drawn: the first increment "
+          "moves by that, too. Begin with 0.");
     for (const pairing::Obstacle &obstacle : obstacles)
       if (const std::string what = pairing::caution_of(*obstacle.shape);
           !what.empty())

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/bound_nodes.h"
 
+#include "conetact/base/text.h"
+
 #include <cmath>
 
 namespace conetact::contact
@@ -58,5 +60,16 @@ namespace conetact::contact
       if (bound.opponent == opponent_of(node))
         for (const Tensor<1, 3> &direction : bound.directions)
           add_direction(direction, orthonormal);
+  }
+
+  std::string
+  why_it_does_not_slide(const pairing::ContactNode &node,
+                        const model::Bodies        &bodies)
+  {
+    return "a support holds the contact node at " + to_text(node.position) +
+           " of body '" + bodies.names[node.body] +
+           "' along its contact normal, which mortar contacts that slide far "
+           "do not know. Take it out of the support or of the contact, or "
+           "choose Pairing = node to face";
   }
 } // namespace conetact::contact

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -37,54 +38,75 @@ namespace conetact::contact
       return group;
     }
 
-    /** Whether supports leave a group a motion that is not a translation. */
+    /** Motions that a group is held against: rows of directions at places. */
+    class HeldMotions
+    {
+    public:
+      void
+      hold(const Point<3> &place, const Tensor<1, 3> &direction)
+      {
+        if (held.isZero())
+          centre = place;
+        size                    = std::max(size, place.distance(centre));
+        const Tensor<1, 3> turn = cross_product_3d(place - centre, direction);
+        Eigen::Matrix<double, 6, 1> row;
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            row[d]     = direction[d];
+            row[3 + d] = turn[d];
+          }
+        held += row * row.transpose();
+      }
+
+      /** Whether a motion is left that is not a translation. */
+      bool
+      may_turn(const unsigned int dim) const
+      {
+        constexpr double nothing = 1e-12;
+        if (size == 0)
+          return true;
+        Motions scaled = held;
+        scaled.topRightCorner<3, 3>() /= size;
+        scaled.bottomLeftCorner<3, 3>() /= size;
+        scaled.bottomRightCorner<3, 3>() /= size * size;
+        if (dim == 2)
+          for (const Eigen::Index i : {2, 3, 4})
+            scaled(i, i) += scaled.trace();
+        const Eigen::SelfAdjointEigenSolver<Motions> modes(scaled);
+        for (Eigen::Index i = 0; i < 6; ++i)
+          if (modes.eigenvalues()[i] <= nothing * scaled.trace() &&
+              modes.eigenvectors().col(i).tail<3>().norm() > 1e-6)
+            return true;
+        return false;
+      }
+
+    private:
+      using Motions = Eigen::Matrix<double, 6, 6>;
+      Motions  held = Motions::Zero();
+      Point<3> centre;
+      double   size = 0;
+    };
+
+    /** Whether supports, and obstacles that a group lies on, leave it a motion
+     * that is not a translation. */
     bool
     may_turn(const model::Bodies             &bodies,
              const std::vector<unsigned int> &group,
              const unsigned int               number)
     {
-      using Motions            = Eigen::Matrix<double, 6, 6>;
-      constexpr double nothing = 1e-12;
-      Motions          held    = Motions::Zero();
-      Point<3>         centre;
-      double           size = 0;
+      HeldMotions held;
       for (const bodies::Support &support : bodies.supports)
         if (group[support.body] == number)
           for (const bodies::SurfaceNode &node : support.surface.nodes)
-            {
-              const Point<3> place =
-                bodies.structures[support.body]->position(node.node);
-              if (held.isZero())
-                centre = place;
-              size = std::max(size, place.distance(centre));
-              for (const bodies::Support::Held &way :
-                   support.directions_at(node))
-                {
-                  Eigen::Matrix<double, 6, 1> row;
-                  const Tensor<1, 3>          turn =
-                    cross_product_3d(place - centre, way.direction);
-                  for (unsigned int d = 0; d < 3; ++d)
-                    {
-                      row[d]     = way.direction[d];
-                      row[3 + d] = turn[d];
-                    }
-                  held += row * row.transpose();
-                }
-            }
-      if (size == 0)
-        return true;
-      held.topRightCorner<3, 3>() /= size;
-      held.bottomLeftCorner<3, 3>() /= size;
-      held.bottomRightCorner<3, 3>() /= size * size;
-      if (bodies.dim == 2)
-        for (const Eigen::Index i : {2, 3, 4})
-          held(i, i) += held.trace();
-      const Eigen::SelfAdjointEigenSolver<Motions> modes(held);
-      for (Eigen::Index i = 0; i < 6; ++i)
-        if (modes.eigenvalues()[i] <= nothing * held.trace() &&
-            modes.eigenvectors().col(i).tail<3>().norm() > 1e-6)
-          return true;
-      return false;
+            for (const bodies::Support::Held &way : support.directions_at(node))
+              held.hold(bodies.structures[support.body]->position(node.node),
+                        way.direction);
+      for (const pairing::ContactNode &node : bodies.contact_nodes)
+        if (node.obstacle != nullptr && node.masters.empty() &&
+            group[node.body] == number &&
+            std::abs(node.gap) <= most_cells * node.spacing)
+          held.hold(node.position, node.n);
+      return held.may_turn(bodies.dim);
     }
 
     /** The cells of one body that have faces which contact nodes meet. */

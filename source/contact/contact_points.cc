@@ -100,9 +100,18 @@ namespace conetact::contact
              " nor across it. Take the node out of the support or of "
              "the contact.";
     }
+
+    /** How many unknowns each contact node has. */
+    std::vector<std::size_t>
+    unknowns_of(const std::vector<pairing::ContactNode> &nodes,
+                const std::vector<ContactPoint>         &points)
+    {
+      std::vector<std::size_t> count(nodes.size());
+      for (const ContactPoint &point : points)
+        count[point.node - nodes.data()] += point.dual.size();
+      return count;
+    }
   } // namespace
-
-
 
   Tensor<1, 3>
   force_of(const ContactPoint &point, const Eigen::VectorXd &r)
@@ -114,8 +123,6 @@ namespace conetact::contact
     return force;
   }
 
-
-
   ContactPoints::ContactPoints(const model::Bodies       &b,
                                const NodeRules           &s,
                                const std::vector<double> &times)
@@ -125,8 +132,6 @@ namespace conetact::contact
     if (const std::string why = add_all(times); !why.empty())
       throw InputError(why);
   }
-
-
 
   std::string
   ContactPoints::add_all(const std::vector<double> &times)
@@ -147,8 +152,6 @@ namespace conetact::contact
     return {};
   }
 
-
-
   /* Whether any node is found again as bodies move. */
   bool
   ContactPoints::slide() const
@@ -158,24 +161,25 @@ namespace conetact::contact
     });
   }
 
-
-
   /* Solvers, states and histories count unknowns by the layout: points may turn
      and meet other nodes, but each keeps its number of unknowns. Coefficients
      that laws vary (set_friction) are those that were set last. */
   std::string
-  ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
+  ContactPoints::relink(std::vector<pairing::ContactNode> found,
                         const std::vector<double>        &times)
   {
-    AssertDimension(nodes.size(), bodies.contact_nodes.size());
+    AssertDimension(found.size(), bodies.contact_nodes.size());
+    const std::vector<std::size_t> unknowns_before =
+      unknowns_of(nodes(), points);
     const solvers::ContactSystem before =
       std::exchange(contact_layout, solvers::ContactSystem());
-    found_again  = std::move(nodes);
+    found_again  = std::move(found);
     found_traits = {};
     n_all        = 0;
     points.clear();
-    const std::string why = add_all(times);
-    bool same             = why.empty() && contact_layout.first == before.first;
+    const std::string why  = add_all(times);
+    const auto        now  = unknowns_of(nodes(), points);
+    bool              same = why.empty() && now == unknowns_before;
     // A constant coefficient is another along one tangent of an ellipse only.
     for (std::size_t i = 0; i < n_candidates && same; ++i)
       if (const auto k = static_cast<Eigen::Index>(i);
@@ -186,28 +190,21 @@ namespace conetact::contact
         same = contact_layout.mu[k] == before.mu[k];
     if (same)
       return {};
-    const std::vector<Eigen::Index> now =
-      std::exchange(contact_layout, before).first; // what comes next must fit
+    contact_layout = before; // what comes next must fit
     if (!why.empty())
       return why;
-    const auto other = std::mismatch(now.begin(),
-                                     now.end(),
-                                     before.first.begin(),
-                                     before.first.end())
-                         .first;
-    const auto        k  = static_cast<std::size_t>(other - now.begin());
-    const std::string at = k > 0 && k <= n_candidates ?
-                             " near " + to_text(points[k - 1].node->position) +
-                               " of " +
-                               bodies.called(points[k - 1].node->body) :
-                             "";
+    const auto other =
+      std::mismatch(now.begin(), now.end(), unknowns_before.begin()).first;
+    const std::string at =
+      other == now.end() ?
+        "" :
+        " at " + to_text(nodes()[other - now.begin()].position) + " of " +
+          bodies.called(nodes()[other - now.begin()].body);
     return "A contact node" + at +
            " slides to where supports, ties or its law leave it other "
            "directions than where it came from. Take the nodes that supports "
            "or ties hold out of the contact, or set its Kinematics to small";
   }
-
-
 
   /* Coefficients of this increment, for all that asks the layout: existence,
      names of mechanisms, methods with cones. */
@@ -219,8 +216,6 @@ namespace conetact::contact
     for (std::size_t i = 0; i < n_candidates; ++i)
       points[i].mu = mu[static_cast<Eigen::Index>(i)];
   }
-
-
 
   namespace
   {
@@ -308,8 +303,6 @@ namespace conetact::contact
     }
   } // namespace
 
-
-
   /* A support that drags a node along what it touches: the slip is known
      beforehand, and the friction against it is a load on the support. Where
      nothing slides a reaction along it would be undetermined. */
@@ -368,8 +361,6 @@ namespace conetact::contact
     return false;
   }
 
-
-
   std::string
   ContactPoints::add(const pairing::ContactNode &node,
                      const std::vector<double>  &times)
@@ -388,6 +379,9 @@ namespace conetact::contact
     if (is_spanned(node.n, held))
       {
         ++found_traits.n_held;
+        // Of a mean nobody else would take the pressure (give_up_held_nodes).
+        if (node.is_mean && node.slides && !node.meets_nothing())
+          return "Finite sliding: " + why_it_does_not_slide(node, bodies) + ".";
         return {};
       }
     if (!is_across(node.n, held))
@@ -414,8 +408,6 @@ namespace conetact::contact
     return {};
   }
 
-
-
   /* Supports hold its point or not: it may move all the same, and the other end
      anyway. */
   void
@@ -429,8 +421,6 @@ namespace conetact::contact
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
   }
-
-
 
   /* Supports take no rows away: what a support and a tie hold both, only one
      of them need carry, which the elimination of bound unknowns finds out. */
@@ -451,8 +441,6 @@ namespace conetact::contact
     points.push_back(std::move(point));
   }
 
-
-
   /* What is bound closes its gap at once where it is told to (Gap): v_t = -g.
      Other ties keep the gap that is drawn, v_t = 0. */
   Eigen::VectorXd
@@ -464,8 +452,6 @@ namespace conetact::contact
         gaps[points[i].normal() - n_unknowns()] = points[i].node->gap;
     return gaps;
   }
-
-
 
   /* Candidates come first, so that their unknowns are the first ones and those
      of what is bound stand behind. */

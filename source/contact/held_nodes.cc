@@ -66,13 +66,14 @@ namespace conetact::contact
 
   /* A held node gives its part to the nearest one (give_up_held_nodes). Which
      one that is would change as nodes slide, and with it rows of the contact:
-     these nodes are refused. */
+     these nodes are refused. Those that meet nothing have nothing to give;
+     where they come to a master, ContactPoints refuses them. */
   std::map<unsigned int, std::string>
   why_held_nodes_do_not_slide(const model::Bodies &bodies)
   {
     const auto &nodes  = bodies.contact_nodes;
     const auto  is_one = [](const pairing::ContactNode &node) {
-      return node.is_mean && node.slides;
+      return node.is_mean && node.slides && !node.meets_nothing();
     };
     std::map<unsigned int, std::string> why;
     if (std::none_of(nodes.begin(), nodes.end(), is_one))
@@ -80,13 +81,7 @@ namespace conetact::contact
     const std::vector<bool> held = held_along_normals(bodies);
     for (std::size_t i = 0; i < held.size(); ++i)
       if (held[i] && is_one(nodes[i]))
-        why.emplace(nodes[i].contact,
-                    "a support holds the contact node at " +
-                      to_text(nodes[i].position) + " of body '" +
-                      bodies.names[nodes[i].body] +
-                      "' along its contact normal, which mortar contacts that "
-                      "slide far do not know. Take it out of the support or of "
-                      "the contact, or choose Pairing = node to face");
+        why.emplace(nodes[i].contact, why_it_does_not_slide(nodes[i], bodies));
     return why;
   }
 
@@ -106,9 +101,11 @@ namespace conetact::contact
     for (std::size_t i = 0; i < nodes.size(); ++i)
       // What is bound gives up no node: which of its rows a support implies is
       // found where they are eliminated (BoundUnknowns). What is joined must
-      // not part anywhere, and its mean with a neighbour could.
-      if (held[i] && nodes[i].is_mean && !nodes[i].is_bound() &&
-          !nodes[i].may_part() && !nodes[i].bond)
+      // not part anywhere, and its mean with a neighbour could. What slides
+      // and meets nothing is looked for again and again.
+      if (held[i] && nodes[i].is_mean &&
+          !(nodes[i].slides && nodes[i].meets_nothing()) &&
+          !nodes[i].is_bound() && !nodes[i].may_part() && !nodes[i].bond)
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&
               nodes[j].n * nodes[i].n > cosine_of_side &&

@@ -4,7 +4,9 @@
 #include "conetact/pairing/found_nodes.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -156,6 +158,44 @@ namespace conetact::pairing
   /* What finite sliding has changed of nodes: a run that goes on must begin
      with the rows that it ended with, to the last digit, and not with those
      that a search of its own would find. */
+  namespace
+  {
+    /** The largest change of a distance between nodes of a body, which no
+     * motion of the whole makes, over the largest such distance. */
+    double
+    stretch(const bodies::Structure &body, const bodies::Structure &displaced)
+    {
+      double size = 0, change = 0;
+      for (unsigned int i = 1; i < body.n_nodes(); ++i)
+        {
+          const double before = body.position(i).distance(body.position(0));
+          const double now =
+            displaced.position(i).distance(displaced.position(0));
+          size   = std::max(size, before);
+          change = std::max(change, std::abs(now - before));
+        }
+      return size > 0 ? change / size : 0;
+    }
+  } // namespace
+
+  /* What is stretched to twice its length no smaller increment helps. */
+  std::string
+  why_not_found(const Contact                                &contact,
+                const std::vector<const bodies::Structure *> &structures,
+                const std::vector<const bodies::Structure *> &displaced)
+  {
+    const std::string in = "contact '" + contact.name + "': ";
+    for (const unsigned int b : {contact.body, contact.master})
+      if (const double by = stretch(*structures[b], *displaced[b]); by > 1)
+        return in + "distances in one of its bodies change by " + to_text(by) +
+               " of its size, and its nodes do not find their places again. "
+               "Loads are far too large for bodies so soft: look at their "
+               "units, and at those of Young modulus";
+    return in + "bodies come so deep into each other, or bend so much, that "
+                "its nodes do not find their places again. Use smaller "
+                "increments";
+  }
+
   void
   save_found(const std::vector<ContactNode> &nodes, Archive &archive)
   {

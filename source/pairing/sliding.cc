@@ -6,6 +6,7 @@
 #include "conetact/bodies/displaced.h"
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
+#include "conetact/pairing/found_nodes.h"
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/shared_areas.h"
 
@@ -353,10 +354,7 @@ namespace conetact::pairing
     for (const std::size_t i : shared.of(c))
       {
         if (now == paired.nodes.end() || now->node != nodes[i].node)
-          return "contact '" + contact.name +
-                 "': bodies come so deep into each other, or bend so much, "
-                 "that its nodes do not find their places again. Use smaller "
-                 "increments";
+          return why_not_found(contact, structures, displaced);
         if (found[i])
           unite_places(*found[i], *now, dim);
         else

@@ -4,7 +4,7 @@
 import re
 
 from support.logs import log_of
-from support.scenes import box, contact, load, merge, press_and_shear, ring, support
+from support.scenes import box, contact, floor, load, merge, press_and_shear, ring, support
 from support.tables import Run
 from support.vectors import apply, rotation
 
@@ -104,6 +104,26 @@ def slips_to_both_sides(laws):
                            abs(sum(slips)) / max(map(abs, slips)), 1e-9)
 
 
+def lies_as_on_rollers(laws):
+    """A slab that lies on a smooth floor does as on rollers, also to what comes down on it over a gap: neither turns."""
+    for dim in (2, 3):
+        bottom, top, up = (2, 3, "y") if dim == 2 else (4, 5, "z")
+        deep = dim == 3
+        slab = box((4, 3, 2) if deep else (4, 2), (2.0, 1.5, .5) if deep else (2.0, .5), young=50.0)
+        block = box((5, 3, 2) if deep else (5, 2), (1.2, .9, .5) if deep else (1.2, .5), (.4, .3, .6) if deep else (.4, .6))
+        scene = {"Dimension": dim, "Body slab": slab, "Body block": block,
+                 "Contact joint": {"Body": "block", "Boundary ids": bottom, "Master body": "slab", "Master boundary ids": top,
+                                   "Friction coefficient": .3, "Kinematics": "small"},
+                 "Load weight": load("body force", " ; ".join(["0"] * (dim - 1) + ["-2"]), body="slab"),
+                 "Load press": load("traction", " ; ".join(["0"] * (dim - 1) + ["-0.3*(1 + x)"]), top, body="block"),
+                 "Output": {"VTU": 0}}
+        rolls = laws.run({**scene, "Support rollers": support(bottom, up, body="slab")})
+        lies = laws.run({**scene, "Obstacle floor": floor(dim), "Contact bottom": contact("slab", bottom, "floor", 0)})
+        lies.rows = [row for row in lies.rows if row["contact"] == "joint"]
+        worst = max(abs(a[c] - b[c]) for a, b in zip(lies.rows, rolls.rows) for c in ("r_n", "r_t1", "r_t2")) / rolls.largest("r_n")
+        laws.check(f"{dim}D, on a floor as on rollers: reactions across a gap", worst, 1e-9)
+
+
 def turned_apart(laws):
     """Friction across a gap sees a slip where both sides turn together: warned of where that is more than a little."""
     for gap, kinematics in ((.05, "small"), (0, "small"), (.05, "automatic")):
@@ -120,6 +140,7 @@ def turned_apart(laws):
 
 def bodies(laws):
     turned_apart(laws)
+    lies_as_on_rollers(laws)
     shortest_way(laws)
     nearby_wall(laws)
     slips_to_both_sides(laws)

@@ -124,6 +124,15 @@ def leaning_plank(laws):
                 laws.check(f"{what}: friction that it needs, {done.stderr.strip()}", abs(float(found[1]) / needed - 1) if found else 1, 1e-4)
 
 
+def soft_bodies(laws):
+    """A load of a million times Young's modulus: no smaller increment is asked for."""
+    done, _ = laws.start({"Dimension": 2, "Body block": box((4, 2), (1.0, .5)), "Body slab": box((9, 2), (2.0, .5), (-.5, -.5)),
+                          "Support base": support(2, "x, y", body="slab"), "Load weight": load("pressure", "1e9*t", 3, body="block"),
+                          "Contact bottom": {"Body": "block", "Boundary ids": 2, "Master body": "slab", "Master boundary ids": 3,
+                                             "Friction coefficient": .3, "Kinematics": "finite sliding"}})
+    laws.demand(f"soft bodies: {done.stderr.strip()}", done.returncode == 2 and "Loads are far too large" in done.stderr)
+
+
 def turned_hubs(laws):
     """A hub is turned on its shaft: the warning of its normals says where friction holds no more, for it may have been passed."""
     told = "All of its nodes that touch slip"
@@ -141,6 +150,7 @@ def turned_hubs(laws):
 
 def kinematics(laws):
     turned_hubs(laws)
+    soft_bodies(laws)
     symmetric_shear(laws)
     choices(laws)
     other_units(laws)

@@ -295,6 +295,8 @@ def facets(laws):
     """Facets that are taken for gaps are told; where gaps are plane, resolved or written down, there is no word."""
     warns(laws, "rings drawn to touch", laws.run(rings()), "contact 'joint': facets stand off", "more than a tenth")
     warns(laws, "rings with a Gap", laws.run(merge(rings(), {"Contact joint": {"Gap": 0}})))
+    hinge = {"Kind": "bilateral", "Friction coefficient": None}
+    warns(laws, "a hinge of rings", laws.run(merge(rings(), {"Contact joint": hinge})), "contact 'joint': facets stand off", "moment about its own axis")
     fitted = merge(rings(), {"Body inner": quarter(.2, .62, 4, 2), "Contact joint": {"Largest interference": .05}})
     warns(laws, "a ring with an interference far above its facets", laws.run(fitted))
     fine = {"Body outer": quarter(.6, 1.0, 4, 3)}

@@ -3,7 +3,7 @@
 """Finite sliding: contacts that are found again where bodies and obstacles are."""
 import math
 
-from support.logs import work_of
+from support.logs import log_of, work_of
 from support.scenes import box, contact, load, merge, press_and_shear, support
 from support.tables import MOTION, in_space, normal
 from support.vectors import apply, plus, rotation, unit
@@ -20,6 +20,7 @@ def sliding(laws):
     leave_and_return(laws)
     halves(laws)
     soft_slab(laws)
+    held_beside(laws)
 
 
 def planes(laws):
@@ -212,3 +213,34 @@ def soft_slab(laws):
         laws.admissible(f"soft slab, {pairing}", of_body(run), lambda row: .3)
         sums.append([row["bottom_f_y"] for row in run.increments])
     laws.check("soft slab: normal force of both pairings", max(abs(a / b - 1) for a, b in zip(*sums)), .02)
+
+
+def held_beside(laws):
+    """All faces of a block are in the contact, also one by which a support draws it: it holds nodes along their normals that face nothing."""
+    for dim in (2, 3):
+        bottom, top = (2, 3) if dim == 2 else (4, 5)
+        scene = {"Dimension": dim, "Body block": box((4, 3, 3)[:dim], (1.0, .5, .5)[:dim]),
+                 "Body slab": box((9, 2, 2)[:dim], (3.0, .5, .5)[:dim], (-1.7,) + (0.0,) * (dim - 2) + (-.5,)),
+                 "Support draw": support(0, "x", "-0.8*max(t - 1, 0)", body="block"),
+                 "Support base": support(bottom, "x, y, z"[:3 * dim - 2], body="slab"),
+                 "Load weight": load("traction", "; ".join(["0"] * (dim - 1) + ["-0.01*min(t, 1)"]), top),
+                 "Contact bottom": {"Body": "block", "Boundary ids": ", ".join(str(i) for i in range(2 * dim)), "Master body": "slab",
+                                    "Master boundary ids": top, "Friction coefficient": .3, "Reach": .2},
+                 "Time": {"End": 2, "Increments": 10}, "Output": {"VTU": 0}}
+        weight = .01 * (1 if dim == 2 else .5)
+        for pairing in ("mortar", "node to face"):
+            what = f"{dim}D, held beside, {pairing}"
+            run = laws.run(merge(scene, {"Contact bottom": {"Pairing": pairing}}))
+            laws.demand(f"{what}: it slides far", "finite sliding" in log_of(run))
+            up, along = ("y", "x") if dim == 2 else ("z", "x")
+            laws.check(f"{what}: the weight", abs(run.increments[-1][f"bottom_f_{up}"] / weight - 1), 1e-9)
+            laws.check(f"{what}: friction", abs(run.increments[-1][f"bottom_f_{along}"] / (.3 * weight) - 1), 1e-5)
+    notch = {"Mesh": {"Generator": "hyper_L", "Arguments": "0 : 2 : false", "Global refinements": 3}, "Material": scene["Body slab"]["Material"]}
+    done, _ = laws.start({"Dimension": 2, "Body block": box((3, 3), (.3, .3), (1.2, 1.0)), "Body notch": notch,
+                          "Support draw": support(0, "x", "-0.21*t", body="block"), "Support base": support(0, "x, y", body="notch"),
+                          "Load weight": load("traction", "0 ; -0.01", 3),
+                          "Contact corner": {"Body": "block", "Boundary ids": "0, 2", "Master body": "notch", "Master boundary ids": 0,
+                                             "Friction coefficient": .3, "Reach": .05, **FAR},
+                          "Time": {"Increments": 10}, "Output": {"VTU": 0}})
+    laws.demand(f"held nodes that come to a wall: {done.stderr.strip()}",
+                done.returncode == 2 and "a support holds the contact node at" in done.stderr)

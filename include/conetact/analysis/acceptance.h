@@ -134,7 +134,7 @@ namespace conetact::analysis
     Eigen::VectorXd
     reactions(const PendingIncrement &increment) const;
     std::string
-    leave(const unsigned int contact, const std::string &why);
+    leave(const unsigned int contact, const SmallKinematics::Left &left);
     /** Whether small kinematics no longer holds, a sentence; empty: it does, or
      * is asked for. */
     std::string

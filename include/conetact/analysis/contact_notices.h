@@ -57,6 +57,9 @@ namespace conetact::analysis
     /** What a warning says of one that is not meant; empty: there is none. */
     std::string
     interference(const unsigned int contact, Log &log) const;
+    /** What facets do to a bilateral contact; empty: there are none. */
+    std::string
+    hinge(const unsigned int contact) const;
     void
     judge_facets(const unsigned int contact, const Closed &closed);
     /** What facets do to pressures; empty: nothing. */

@@ -125,6 +125,8 @@ namespace conetact::analysis
     find_there(const Eigen::VectorXd &u,
                const double           t,
                const bool             keep_faced) const;
+    void
+    keep_normals_of_held(Nodes &nodes) const;
     Found
     linearised(Found found) const;
     void

@@ -34,8 +34,16 @@ namespace conetact::analysis
     SmallKinematics(const application::Scene    &scene,
                     const contact::ContactModel &model);
 
-    /** What contacts are wrong for, by their number: gaps, feet, slips. */
-    std::map<unsigned int, std::string>
+    /** What a contact is wrong for. */
+    struct Left
+    {
+      std::string why;
+      /** It has slid so far as only what is let go does. */
+      bool is_let_go = false;
+    };
+    using Found = std::map<unsigned int, Left>;
+    /** By their number: gaps, feet, slips. */
+    Found
     left(const IncrementEnd &end) const;
 
     /** A body that has turned further than linear motions are good for. */
@@ -56,7 +64,6 @@ namespace conetact::analysis
     tilted(const IncrementEnd &end) const;
 
   private:
-    using Found = std::map<unsigned int, std::string>;
     void
     add_wrong_gaps(const IncrementEnd &end, Found &found) const;
     void

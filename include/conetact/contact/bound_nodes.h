@@ -7,6 +7,7 @@
 #include "conetact/contact/node_rules.h"
 
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,12 @@ namespace conetact::contact
 
     std::map<std::pair<unsigned int, unsigned int>, std::vector<Bound>> all;
   };
+
+  /** Why a mean over faces that slides far may not be held by a support along
+   * its normal, a sentence without its stop. */
+  std::string
+  why_it_does_not_slide(const pairing::ContactNode &node,
+                        const model::Bodies        &bodies);
 } // namespace conetact::contact
 
 #endif

@@ -24,6 +24,7 @@ namespace conetact::contact
   /**
    * Why contacts that slide far cannot because supports hold their nodes, a
    * sentence without its full stop for each contact by number; others can.
+   * Held nodes that meet nothing are no reason.
    */
   std::map<unsigned int, std::string>
   why_held_nodes_do_not_slide(const model::Bodies &bodies);

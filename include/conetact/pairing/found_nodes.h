@@ -10,10 +10,18 @@
 
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace conetact::pairing
 {
+  /** Why nodes of a contact do not find their places again where bodies are
+   * displaced, a sentence without its stop. */
+  std::string
+  why_not_found(const Contact                                &contact,
+                const std::vector<const bodies::Structure *> &structures,
+                const std::vector<const bodies::Structure *> &displaced);
+
   /** Keeps what contact nodes have found where bodies are displaced. */
   void
   save_found(const std::vector<ContactNode> &nodes, Archive &archive);
