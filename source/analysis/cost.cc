@@ -5,6 +5,7 @@
 
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/condensed_compliance.h"
 #include "conetact/contact/large_nodes.h"
 
 #include <deal.II/base/exceptions.h>
@@ -17,7 +18,6 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace conetact::analysis
@@ -50,19 +50,24 @@ namespace conetact::analysis
     }
 
     /**
-     * Of the process so far [s]: CPU time, which others on the machine do not
-     * change.
+     * Of the process so far, and of those that have made its meshes [s]: CPU
+     * time, which others on the machine do not change.
      */
     double
     cpu_seconds()
     {
-      rusage usage;
-      getrusage(RUSAGE_SELF, &usage);
       const auto seconds = [](const timeval &t) {
         return static_cast<double>(t.tv_sec) +
                1e-6 * static_cast<double>(t.tv_usec);
       };
-      return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+      double sum = 0;
+      for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN})
+        {
+          rusage usage;
+          getrusage(who, &usage);
+          sum += seconds(usage.ru_utime) + seconds(usage.ru_stime);
+        }
+      return sum;
     }
 
     // Measured on blocks of 16^3 to 40^3 cells, in units of dense products.
@@ -94,7 +99,10 @@ namespace conetact::analysis
     constexpr double larger_if_unequal      = 3;
     // Rows of a matrix whose elements differ are put in order without what is
     // left of the diagonal.
-    constexpr double bytes_of_entry = 1.6 * sizeof(double);
+    constexpr double bytes_of_entry = 2.2 * sizeof(double);
+    // Where bodies of such elements meet, Newton's method and GMRES take more
+    // steps: flanges with eight bolts, P1 and P2.
+    constexpr double longer_of_unequal_pairs = 5;
 
     // Dense operations a second of a core, in which choices count the seconds
     // above: a choice must not depend on the clock, nor on who else works on
@@ -141,6 +149,27 @@ namespace conetact::analysis
              (1 + lus_an_increment * (n_increments - 1));
     }
 
+    /** In compliance form bodies have flexibilities: to invert them, n^3. */
+    std::vector<double>
+    flexibilities(const contact::ContactModel &model)
+    {
+      return model.condensed_form() == solvers::Form::compliance ?
+               contact::unknowns_of_flexibilities(model.bodies, model.points) :
+               std::vector<double>();
+    }
+
+    /** Of each body what is condensed and its inverse; and if something is
+     * bound, the relation of all rows beside that of the others. */
+    double
+    bytes_of_flexibilities(const contact::ContactModel &model,
+                           const double                 stiffness_bytes)
+    {
+      double bytes = model.points.n_bound() > 0 ? stiffness_bytes : 0.;
+      for (const double n : flexibilities(model))
+        bytes += 2 * sizeof(double) * n * n;
+      return bytes;
+    }
+
     /** To condense bodies and solve increments then. */
     double
     flops_of_condensing(const contact::ContactModel     &model,
@@ -168,11 +197,6 @@ namespace conetact::analysis
       for (const bodies::Structure *body : model.bodies.structures)
         contrast = std::max(contrast, body->contrast_of_strains());
       return contrast;
-    }
-    bool
-    is_nearly_incompressible(const contact::ContactModel &model)
-    {
-      return largest_contrast(model) > 2 * usual_contrast;
     }
     bool
     has_hard_slave(const contact::ContactModel &model)
@@ -209,31 +233,6 @@ namespace conetact::analysis
       return all > 0 ? unequal / all : 0.;
     }
 
-    /** Unknowns that elements connect with one, itself included: the mean of
-     * some nodes all over a body. */
-    double
-    stencil_of(const bodies::Structure &body)
-    {
-      constexpr unsigned int              most = 500;
-      const unsigned int                  step = 1 + body.n_nodes() / most;
-      const unsigned int                  n    = body.n_components();
-      std::vector<std::set<unsigned int>> met(body.n_nodes() / step + 1);
-      body.elements().for_each_connection(
-        [&](const std::vector<unsigned int> &dofs) {
-          for (const unsigned int dof : dofs)
-            if (dof % n == 0 && (dof / n) % step == 0)
-              met[dof / n / step].insert(dofs.begin(), dofs.end());
-        });
-      double sum = 0, count = 0;
-      for (const std::set<unsigned int> &others : met)
-        if (!others.empty())
-          {
-            sum += static_cast<double>(others.size());
-            ++count;
-          }
-      return count > 0 ? sum / count : 0.;
-    }
-
     /**
      * Of the matrix of all unknowns, in space: of bodies whose elements differ,
      * and where contacts connect bodies. A slave's node meets the m nodes of
@@ -248,7 +247,7 @@ namespace conetact::analysis
       std::vector<double> known(bodies.size(), 0.);
       const auto          stencil = [&](const std::size_t body) {
         if (known[body] == 0)
-          known[body] = stencil_of(*bodies[body]);
+          known[body] = contact::stencil_of(*bodies[body]);
         return known[body];
       };
       double sum = 0;
@@ -337,13 +336,13 @@ namespace conetact::analysis
     // and at most as much again for Newton's matrix
     cost.memory_bytes = memory_with(
       factor.working_bytes + 2 * cost.stiffness_bytes +
+      bytes_of_flexibilities(model, cost.stiffness_bytes) +
       part_of_factor * factor.factor_bytes +
       bytes_of_dof * static_cast<double>(model.coordinates.n_dofs()));
-    const double rate = dense_rate();
-    const double factorisation =
-      sparse_over_dense[model.bodies.dim - 2] * factor.flops / rate;
-    cost.seconds = cpu_seconds() + factorisation +
-                   flops_of_contact(model, increments) / rate +
+    double flops = flops_of_condensing(model, factor, n_increments);
+    for (const double n : flexibilities(model))
+      flops += n * n * n;
+    cost.seconds = cpu_seconds() + flops / dense_rate() +
                    seconds_of_results(model, increments, n_drawings);
     if (model.points.slide())
       cost.seconds += sliding_of_unknown * n_contact * increments;
@@ -363,8 +362,11 @@ namespace conetact::analysis
     const std::size_t d = model.bodies.dim - 2;
     const auto        increments = static_cast<double>(n_increments);
     const double      share      = n / n_processes;
-    const double      solution =
-      seconds_of_iterating(model, n_increments) / n_processes;
+    const bool   pairs = model.condensed_form() == solvers::Form::compliance;
+    const double longer =
+      pairs ? 1 + (longer_of_unequal_pairs - 1) * unequal_part(model) : 1.;
+    const double solution =
+      longer * seconds_of_iterating(model, n_increments) / n_processes;
     const double shared = share * bytes_of_unknown(model);
     Cost         cost;
     cost.memory_bytes = memory_with(bytes_of_each[d] * n + shared);
@@ -391,7 +393,7 @@ namespace conetact::analysis
     const Eigen::Index            n         = model.coordinates.n_unknowns();
     if (const std::string why = iterative.why_not(model); !why.empty())
       return {&condensed, "the iterative one " + why};
-    const bool   slow      = is_nearly_incompressible(model);
+    const bool   slow      = largest_contrast(model) > 2 * usual_contrast;
     const bool   hard_one  = has_hard_slave(model);
     const bool   uncertain = hard_one || model.points.slide();
     const double flops_iterative =

@@ -187,8 +187,10 @@ namespace conetact::analysis
   void
   IncrementAnalysis::lock(const unsigned int k)
   {
-    history.lock_cuts(begin(k), acceptance.accepted_displacements());
+    // Solvers hold what they have last solved, which may be a system of all
+    // unknowns: it goes before there is another one.
     solver.forget();
+    history.lock_cuts(begin(k), acceptance.accepted_displacements());
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 

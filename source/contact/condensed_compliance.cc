@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace conetact::contact
 {
@@ -465,5 +466,24 @@ namespace conetact::contact
     const VectorXd resultants = -motions.unresisted().transpose() *
                                 problem.load.tail(problem.system->n_motions);
     return shortest_load(problem.system->null_space, resultants);
+  }
+
+
+
+  std::vector<double>
+  unknowns_of_flexibilities(const model::Bodies &bodies,
+                            const ContactPoints &points)
+  {
+    std::vector<std::set<unsigned int>> nodes(bodies.structures.size());
+    for (const ContactPoint &point : points.all())
+      {
+        nodes[point.node->body].insert(point.node->node);
+        for (const auto &[master, weight] : point.node->masters)
+          nodes[point.node->master].insert(master);
+      }
+    std::vector<double> result;
+    for (const std::set<unsigned int> &of_body : nodes)
+      result.push_back(bodies.dim * static_cast<double>(of_body.size()));
+    return result;
   }
 } // namespace conetact::contact

@@ -171,6 +171,32 @@ namespace conetact::contact
 
 
 
+  /* The mean of some nodes all over the body. */
+  double
+  stencil_of(const bodies::Structure &body)
+  {
+    constexpr unsigned int              most = 500;
+    const unsigned int                  step = 1 + body.n_nodes() / most;
+    const unsigned int                  n    = body.n_components();
+    std::vector<std::set<unsigned int>> met(body.n_nodes() / step + 1);
+    body.elements().for_each_connection(
+      [&](const std::vector<unsigned int> &dofs) {
+        for (const unsigned int dof : dofs)
+          if (dof % n == 0 && (dof / n) % step == 0)
+            met[dof / n / step].insert(dofs.begin(), dofs.end());
+      });
+    double sum = 0, count = 0;
+    for (const std::set<unsigned int> &others : met)
+      if (!others.empty())
+        {
+          sum += static_cast<double>(others.size());
+          ++count;
+        }
+    return count > 0 ? sum / count : 0.;
+  }
+
+
+
   double
   hardest_slave(const ElasticSystem &elastic,
                 const Coordinates   &coordinates,

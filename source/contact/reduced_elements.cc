@@ -3,6 +3,7 @@
 //
 // The elastic system in the unknowns of coordinates, element by element.
 
+#include "conetact/base/index.h"
 #include "conetact/contact/elastic_system.h"
 
 #include <deal.II/base/exceptions.h>
@@ -42,18 +43,13 @@ namespace conetact::contact
         n_numbers = n_unknowns + static_cast<Number>(affine.n_constraints());
       }
 
-      /** Tells whether all dofs of an element are unknowns. */
-      bool
+      /** Numbers of all dofs of an element. */
+      void
       find_numbers(const std::vector<unsigned int> &dofs, Numbers &found) const
       {
         found.clear();
-        bool are_plain = true;
         for (const unsigned int dof : dofs)
-          {
-            found.push_back(number_of(dof));
-            are_plain = are_plain && found.back() < n_unknowns;
-          }
-        return are_plain;
+          found.push_back(number_of(dof));
       }
 
       const Number                      n_unknowns;
@@ -87,74 +83,94 @@ namespace conetact::contact
       const LinearMap &coordinates;
     };
 
-    /** One element on the unknowns that it touches: a matrix for
-     * AffineConstraints to add to, of which it knows these rows and columns. */
+    /** Tells whether all dofs of an element are unknowns, and which. */
+    bool
+    are_plain(const LinearMap                 &coordinates,
+              const std::vector<unsigned int> &dofs,
+              std::vector<Eigen::Index>       &unknowns)
+    {
+      unknowns.clear();
+      for (const unsigned int dof : dofs)
+        {
+          unknowns.push_back(coordinates.plain(dof));
+          if (unknowns.back() < 0)
+            return false;
+        }
+      return true;
+    }
+
+    /**
+     * One element on the unknowns that it touches: C^T K C, where C has the
+     * rows of its dofs. A node of a surface may hang on dozens of others, so
+     * that C is kept as the sparse matrix that it is: the way of deal.II's
+     * AffineConstraints takes the square of its entries.
+     */
     class ReducedElement
     {
     public:
-      using value_type = double;
-      explicit ReducedElement(const Constraints &c)
-        : constraints(c)
-      {}
-      virtual ~ReducedElement() = default; // deal.II asks for its type
       void
       reinit(const LinearMap                 &coordinates,
              const std::vector<unsigned int> &dofs)
       {
         unknowns.clear();
+        entries.clear();
+        start.assign(1, 0);
         for (const unsigned int dof : dofs)
-          coordinates.for_row(dof, [&](const Eigen::Index unknown, double) {
-            unknowns.push_back(unknown);
-          });
+          {
+            coordinates.for_row(dof,
+                                [&](const Eigen::Index unknown,
+                                    const double       factor) {
+                                  unknowns.push_back(unknown);
+                                  entries.push_back({0, factor});
+                                });
+            start.push_back(entries.size());
+          }
+        const std::vector<Eigen::Index> of_entries = unknowns;
         std::sort(unknowns.begin(), unknowns.end());
         unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                        unknowns.end());
-        matrix.assign(unknowns.size() * unknowns.size(), 0.);
+        for (std::size_t e = 0; e < entries.size(); ++e)
+          entries[e].place =
+            std::lower_bound(unknowns.begin(), unknowns.end(), of_entries[e]) -
+            unknowns.begin();
       }
-
-      Number
-      m() const
+      /** Both K and the result are row by row. */
+      const double *
+      reduce(const double *K)
       {
-        return constraints.n_numbers;
-      }
-      Number
-      n() const
-      {
-        return m();
-      }
-      void
-      add(const Number row, const Number column, const double value)
-      {
-        if (row < constraints.n_unknowns) // others have a diagonal only
-          matrix[place(row) * unknowns.size() + place(column)] += value;
-      }
-      void
-      add(const Number  row,
-          const Number  n_columns,
-          const Number *columns,
-          const double *values,
-          const bool /*elide_zero_values*/,
-          const bool /*columns_are_sorted*/)
-      {
-        for (Number k = 0; k < n_columns; ++k)
-          add(row, columns[k], values[k]);
+        const auto  n = static_cast<Eigen::Index>(start.size()) - 1;
+        const auto  m = static_cast<Eigen::Index>(unknowns.size());
+        const auto &C = entries;
+        half.setZero(n, m);
+        for (Eigen::Index i = 0; i < n; ++i)
+          for (std::size_t j = 0; j + 1 < start.size(); ++j, ++K)
+            for (std::size_t e = start[j]; e < start[j + 1]; ++e)
+              half(i, C[e].place) += *K * C[e].factor;
+        // One triangle, so that the result is symmetric to the last bit.
+        result.setZero(m, m);
+        for (Eigen::Index i = 0; i < n; ++i)
+          for (std::size_t e = start[at(i)]; e < start[at(i) + 1]; ++e)
+            result.row(C[e].place).head(C[e].place + 1) +=
+              C[e].factor * half.row(i).head(C[e].place + 1);
+        result.triangularView<Eigen::StrictlyUpper>() = result.transpose();
+        return result.data();
       }
 
       std::vector<Eigen::Index> unknowns; ///< ascending
-      std::vector<double>       matrix;   ///< row by row
 
     private:
-      std::size_t
-      place(const Number unknown) const
+      using Rows =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      struct Entry
       {
-        return static_cast<std::size_t>(
-          std::lower_bound(unknowns.begin(),
-                           unknowns.end(),
-                           static_cast<Eigen::Index>(unknown)) -
-          unknowns.begin());
-      }
+        Eigen::Index place; ///< of its unknown
+        double       factor;
+      };
 
-      const Constraints &constraints;
+      std::vector<Entry>       entries; ///< of C, row by row
+      std::vector<std::size_t> start;   ///< of rows
+      Rows                     half;    ///< K C
+      Rows                     result;
     };
 
     void
@@ -200,46 +216,31 @@ namespace conetact::contact
     const std::function<void(const std::vector<Eigen::Index> &)> &visit,
     const SomeNodesOfBodies                                      *nodes)
   {
-    const Constraints constraints(coordinates);
-    ReducedElement    element(constraints);
-    Numbers           numbers;
+    ReducedElement element;
     system.for_each_connection(
       [&](const std::vector<unsigned int> &dofs) {
-        if (constraints.find_numbers(dofs, numbers))
-          element.unknowns.assign(numbers.begin(), numbers.end());
-        else
+        if (!are_plain(coordinates, dofs, element.unknowns))
           element.reinit(coordinates, dofs);
         visit(element.unknowns);
       },
       nodes);
   }
 
-  /* C^T K C is the sum of C_e^T K_e C_e over elements. */
+  /* C^T K C is the sum of C_e^T K_e C_e over elements. Most elements have no
+     special node: their matrices are taken as they are. */
   void
   for_each_element(const ElasticSystem     &system,
                    const LinearMap         &coordinates,
                    const UnknownsVisitor   &visit,
                    const SomeNodesOfBodies *nodes)
   {
-    const Constraints          constraints(coordinates);
-    ReducedElement             element(constraints);
-    dealii::FullMatrix<double> k;
-    Numbers                    numbers;
+    ReducedElement element;
     system.for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // Most elements have no special node: they need no C^T k C.
-        if (constraints.find_numbers(dofs, numbers))
-          {
-            element.unknowns.assign(numbers.begin(), numbers.end());
-            visit(element.unknowns, matrix);
-            return;
-          }
+        if (are_plain(coordinates, dofs, element.unknowns))
+          return visit(element.unknowns, matrix);
         element.reinit(coordinates, dofs);
-        copy(dofs.size(), matrix, k);
-        // deal.II adds diagonal entries for constrained numbers, too: element
-        // takes none of them, for they stand behind the unknowns.
-        constraints.affine.distribute_local_to_global(k, numbers, element);
-        visit(element.unknowns, element.matrix.data());
+        visit(element.unknowns, element.reduce(matrix));
       },
       nodes);
   }

@@ -17,6 +17,9 @@ namespace conetact::iterative
     template <int n_rows, int n_columns>
     struct AddTransposed
     {};
+    template <int size>
+    struct MultiplyBlocks
+    {};
 
     /** Asks memory for the numbers of a block long before their turn: a
      * processor looks no further ahead than a page. Nothing is read, so that
@@ -225,6 +228,31 @@ namespace conetact::iterative
         }
     }
 
+    /** Blocks of B, all from the left by one matrix, whose columns stay in
+     * vectors of the processor: each column of the result is written once. */
+    template <int size, typename Number>
+    [[gnu::always_inline]] inline void
+    run(const MultiplyBlocks<size>,
+        const BlockRows<Number> &B,
+        const Number            *by,
+        Number                  *result)
+    {
+      using Block    = Columns<size, Number>;
+      using Lanes    = typename Block::Lanes;
+      using Anywhere = typename Block::Anywhere;
+      const Block         factor(by);
+      const Number       *b   = B.value;
+      const Number *const end = b + B.end * size * size;
+      for (; b < end; b += size, result += size)
+        {
+          Lanes sum = factor.column[0] * b[0];
+#pragma GCC unroll 8
+          for (int c = 1; c < size; ++c)
+            sum += factor.column[c] * b[c];
+          *reinterpret_cast<Anywhere *>(result) = sum;
+        }
+    }
+
     // Each product in the vectors that all processors have, and in wider ones.
     template <typename Product, typename Number>
     void
@@ -287,6 +315,19 @@ namespace conetact::iterative
     run_chosen<AddTransposed<n_rows, n_columns>>(A, x, y);
   }
 
+  template <int size, typename Number>
+  void
+  multiply_blocks(const Number     *factor,
+                  const Number     *blocks,
+                  const std::size_t n,
+                  Number           *result)
+  {
+    run_chosen<MultiplyBlocks<size>>(
+      BlockRows<Number>{nullptr, nullptr, nullptr, blocks, 0, n},
+      factor,
+      result);
+  }
+
 #define CONETACT_MULTIPLY_ROWS(n_rows, n_columns, Number)                   \
   template void multiply_rows<n_rows, n_columns>(const BlockRows<Number> &, \
                                                  const Number *,            \
@@ -311,6 +352,10 @@ namespace conetact::iterative
   CONETACT_ADD_UPPER_ROWS(3, float);
   CONETACT_ADD_UPPER_ROWS(3, double);
 #undef CONETACT_ADD_UPPER_ROWS
+  template void
+  multiply_blocks<3>(const float *, const float *, std::size_t, float *);
+  template void
+  multiply_blocks<6>(const float *, const float *, std::size_t, float *);
   template void
   add_transposed_rows<2, 3>(const BlockRows<float> &, const float *, float *);
   template void

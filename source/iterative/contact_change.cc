@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace conetact::iterative
 {
@@ -39,6 +40,104 @@ namespace conetact::iterative
       sort();
       return pairs;
     }
+
+    /** Products of one block with many: most of the work of a change. */
+    template <int size>
+    class BlockProducts
+    {
+    public:
+      using Block = Eigen::Matrix<float, size, size>;
+
+      /** The factor has room for some numbers behind it. */
+      void
+      make(const float *factor, const float *blocks, const std::size_t n)
+      {
+        results.resize(n * Block::SizeAtCompileTime + lanes(size));
+        multiply_blocks<size>(factor, blocks, n, results.data());
+      }
+      template <typename Factor>
+      void
+      make_transposed(const Factor     &factor,
+                      const float      *blocks,
+                      const std::size_t n)
+      {
+        float transposed[Block::SizeAtCompileTime + lanes(size)] = {};
+        Eigen::Map<Block>(transposed, size, size) = factor.transpose();
+        make(transposed, blocks, n);
+      }
+      Eigen::Map<const Block>
+      operator[](const std::size_t k) const
+      {
+        return Eigen::Map<const Block>(results.data() +
+                                       k * Block::SizeAtCompileTime);
+      }
+
+    private:
+      std::vector<float> results;
+    };
+
+    /** A row of blocks, in the order in which their columns come. */
+    template <int size>
+    class BlockRow
+    {
+    public:
+      explicit BlockRow(const int n_columns)
+        : place(at(n_columns), none)
+      {}
+      void
+      clear()
+      {
+        for (const int c : of_blocks)
+          place[at(c)] = none;
+        of_blocks.clear();
+        numbers.clear();
+      }
+      template <typename Block>
+      void
+      add(const int column, const Block &block)
+      {
+        std::size_t &k = place[at(column)];
+        if (k == none)
+          {
+            k = of_blocks.size();
+            of_blocks.push_back(column);
+            numbers.insert(numbers.end(), block.data(), block.data() + n);
+          }
+        else
+          Eigen::Map<Eigen::Matrix<float, size, size>>(numbers.data() +
+                                                       k * n) += block;
+      }
+      const std::vector<int> &
+      columns() const
+      {
+        return of_blocks;
+      }
+      const float *
+      values() const
+      {
+        return numbers.data();
+      }
+      /** Blocks by ascending columns. */
+      std::vector<std::size_t>
+      order() const
+      {
+        std::vector<std::size_t> sorted(of_blocks.size());
+        std::iota(sorted.begin(), sorted.end(), std::size_t(0));
+        std::sort(sorted.begin(),
+                  sorted.end(),
+                  [&](const auto a, const auto b) {
+                    return of_blocks[a] < of_blocks[b];
+                  });
+        return sorted;
+      }
+
+    private:
+      static constexpr std::size_t n = size * size, none = -1;
+
+      std::vector<std::size_t> place; ///< of columns
+      std::vector<int>         of_blocks;
+      std::vector<float>       numbers;
+    };
   } // namespace
 
 
@@ -246,6 +345,51 @@ namespace conetact::iterative
 
 
 
+  /* Rows are dealt out one by one, like cards: all processes have the whole of
+     the level above, and about the same work with it. */
+  template <int fine, int coarse>
+  typename ContactChange<fine, coarse>::Rows
+  ContactChange<fine, coarse>::projected(const Rows  &above,
+                                         const Level &level) const
+  {
+    Rows             below = level.change;
+    BlockRow<coarse> row(below.number.empty() ? 0 : below.number.back() + 1);
+    BlockProducts<coarse> products;
+    for (std::size_t i = at(processes.rank()); i < above.number.size();
+         i += at(processes.size()))
+      {
+        row.clear();
+        std::size_t of_j = 0; // columns ascend, as the rows of P do
+        above.for_row(i, [&](const int j, const auto &C_ij) {
+          while (level.P.number[of_j] != j)
+            ++of_j;
+          const auto       &P    = level.P.blocks;
+          const std::size_t from = P.start[of_j], n = P.start[of_j + 1] - from;
+          products.make(C_ij.data(), P.block(of_j, from).data(), n);
+          for (std::size_t k = 0; k < n; ++k)
+            row.add(P.column[from + k], products[k]);
+        });
+        const std::vector<std::size_t> order = row.order();
+        level.P.for_row(i, [&](const int a, const auto &P_ia) {
+          products.make_transposed(P_ia, row.values(), row.columns().size());
+          // The pattern was made of the same rows of P: each (a, b) is in it,
+          // and one walk finds all of them.
+          std::size_t k = below.blocks.start[below.find(a)];
+          for (const std::size_t l : order)
+            {
+              while (below.blocks.column[k] != row.columns()[l])
+                ++k;
+              below.blocks.block(k) += products[l];
+            }
+        });
+      }
+    processes.sum(below.blocks.value.data(),
+                  static_cast<Eigen::Index>(below.blocks.value.size()));
+    return below;
+  }
+
+
+
   /* P^T C P from level to level: exactly what the coarse matrices of A' are
      more than those of A, as maps do not depend on the state. Work and messages
      grow with the contact surface, not with the body. */
@@ -257,36 +401,7 @@ namespace conetact::iterative
     AssertDimension(states.size(), own.size());
     std::vector<Rows> result = {first_level(states)};
     for (const Level &level : levels)
-      {
-        const Rows                &above = result.back();
-        Rows                       below = level.change;
-        std::map<int, CoarseBlock> row;
-        // Rows are dealt out one by one, like cards: all processes have the
-        // whole of the level above, and about the same work with it.
-        for (std::size_t i = at(processes.rank()); i < above.number.size();
-             i += at(processes.size()))
-          {
-            row.clear();
-            above.for_row(i, [&](const int j, const auto &block) {
-              level.P.for_row(
-                level.P.find(j), [&](const int c, const auto &of_j) {
-                  row.try_emplace(c, CoarseBlock::Zero()).first->second +=
-                    block * of_j;
-                });
-            });
-            level.P.for_row(i, [&](const int a, const auto &of_i) {
-              // The pattern was made of the same rows of P: each (a, b) is in
-              // it.
-              const std::size_t at_a = below.find(a);
-              for (const auto &[b, block] : row)
-                below.blocks.block(below.find(at_a, b)) +=
-                  of_i.transpose() * block;
-            });
-          }
-        processes.sum(below.blocks.value.data(),
-                      static_cast<Eigen::Index>(below.blocks.value.size()));
-        result.push_back(std::move(below));
-      }
+      result.push_back(projected(result.back(), level));
     return result;
   }
 

@@ -161,8 +161,12 @@ namespace conetact::solvers
                              SolverReport      &report)
   {
     eigen_assert(precision > 0);
-    const double forces = std::max(numbers.force_scale(from.p, from.d), force);
-    const auto   found =
+    // Before any contact has carried anything, what they will carry is unknown.
+    const bool is_known =
+      !from.d.isZero(0) || !load_of_contact.isZero(0) || force > 0;
+    const double forces =
+      is_known ? std::max(numbers.force_scale(from.p, from.d), force) : 0.;
+    const auto found =
       body().solve(laws(from, sets), from.f, {precision, forces});
     if (!found)
       return {};

@@ -148,6 +148,12 @@ namespace conetact::contact
     CondensedBound       eliminated;
     MatrixXd             unseen; ///< motions, orthonormal
   };
+
+  /** Of each body: how many unknowns its nodes have that meet something. All of
+   * them are retained, and a dense flexibility is made of them. */
+  std::vector<double>
+  unknowns_of_flexibilities(const model::Bodies &bodies,
+                            const ContactPoints &points);
 } // namespace conetact::contact
 
 #endif

@@ -33,6 +33,10 @@ namespace conetact::contact
   Eigen::VectorXd
   diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs);
 
+  /** Unknowns that elements connect with one of a body, itself included. */
+  double
+  stencil_of(const bodies::Structure &body);
+
   /** The hardness of the hardest slave over that of its master, from diagonals
    * of K; 0 where no body meets another one. */
   double

@@ -61,6 +61,18 @@ namespace conetact::iterative
   template <int n_rows, int n_columns, typename Number>
   void
   add_transposed_rows(const BlockRows<Number> &A, const Number *x, Number *y);
+
+  /**
+   * The products of one square block with n others, one behind the other, all
+   * of them column by column. Behind the factor and the result there must be
+   * room for three numbers more.
+   */
+  template <int size, typename Number>
+  void
+  multiply_blocks(const Number     *factor,
+                  const Number     *blocks,
+                  const std::size_t n,
+                  Number           *result);
 } // namespace conetact::iterative
 
 #endif

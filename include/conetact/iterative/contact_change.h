@@ -120,6 +120,9 @@ namespace conetact::iterative
               const SomeRows<fine, coarse>               &P);
     Rows
     first_level(const std::vector<NodeState<fine>> &states) const;
+    /** P^T C P of the change C of the level above. */
+    Rows
+    projected(const Rows &above, const Level &level) const;
 
     Communicator           processes;
     std::vector<int>       contact; ///< nodes of all processes

@@ -297,6 +297,16 @@ namespace conetact::bodies
   Surface
   Continuum<dim>::surface(const BoundaryIds &ids) const
   {
+    const auto known = surfaces.find(ids);
+    return known != surfaces.end() ?
+             known->second :
+             surfaces.emplace(ids, find_surface(ids)).first->second;
+  }
+
+  template <int dim>
+  Surface
+  Continuum<dim>::find_surface(const BoundaryIds &ids) const
+  {
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
     faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {

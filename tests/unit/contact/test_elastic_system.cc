@@ -112,3 +112,56 @@ TEST(ElasticSystem, ElementsOfSomeNodesAreAllThatThereIsOfThem)
           EXPECT_DOUBLE_EQ(some_terms[dof], terms[dof]);
         }
 }
+
+
+
+TEST(ElasticSystem, ElementsAreReducedToTheUnknownsOfAMap)
+{
+  const auto    body = test::make_body(2, cells_2d);
+  model::Bodies bodies;
+  bodies.dim        = 2;
+  bodies.structures = {body.get()};
+  bodies.names      = {"block"};
+  const ElasticSystem system(bodies);
+  // Every third dof follows two unknowns, one of which comes twice, and every
+  // seventh is held; all others are unknowns.
+  LinearMap    map;
+  Eigen::Index n = 0;
+  for (unsigned int dof = 0; dof < body->n_dofs(); ++dof)
+    {
+      if (dof % 7 == 6)
+        ;
+      else if (dof % 3 == 2)
+        for (const double factor : {.25, .5, -.75})
+          map.append(factor > 0 ? n - 1 : 0, factor);
+      else
+        map.append(n++, 1.);
+      map.end_row();
+    }
+  map.set_n_unknowns(n);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+  for_each_element(system,
+                   map,
+                   [&](const std::vector<Eigen::Index> &unknowns,
+                       const double                    *matrix) {
+                     for (const Eigen::Index i : unknowns)
+                       for (const Eigen::Index j : unknowns)
+                         sum(i, j) += *matrix++;
+                   });
+  // The other way, by deal.II's AffineConstraints.
+  const Eigen::MatrixXd expected =
+    Eigen::MatrixXd(assemble(system, map)).selfadjointView<Eigen::Upper>();
+  EXPECT_LE((sum - expected).cwiseAbs().maxCoeff(),
+            1e-14 * expected.cwiseAbs().maxCoeff());
+  std::vector<std::vector<Eigen::Index>> met, connected;
+  for_each_element(system,
+                   map,
+                   [&](const std::vector<Eigen::Index> &unknowns,
+                       const double *) { met.push_back(unknowns); });
+  for_each_connection(system,
+                      map,
+                      [&](const std::vector<Eigen::Index> &unknowns) {
+                        connected.push_back(unknowns);
+                      });
+  EXPECT_EQ(met, connected);
+}

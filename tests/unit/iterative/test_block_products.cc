@@ -214,3 +214,38 @@ TEST(NodeBlocks, ScaleEachNodeByItsBlock)
   expect_scaled<3>();
   expect_scaled<6>();
 }
+
+
+
+namespace
+{
+  template <int size>
+  void
+  expect_products_with_blocks()
+  {
+    using Block               = Eigen::Matrix<float, size, size>;
+    using Blocks              = Eigen::Matrix<float, size, Eigen::Dynamic>;
+    constexpr int      n      = 7;
+    constexpr float    beyond = 5;
+    const Block        factor = Block::Random();
+    const Blocks       blocks = Blocks::Random(size, n * size);
+    std::vector<float> given(factor.data(), factor.data() + factor.size());
+    given.resize(given.size() + lanes(size),
+                 std::numeric_limits<float>::quiet_NaN());
+    std::vector<float> result(n * factor.size() + lanes(size), beyond);
+    multiply_blocks<size>(given.data(), blocks.data(), n, result.data());
+    const Blocks expected = factor * blocks;
+    EXPECT_LE((Eigen::Map<const Blocks>(result.data(), size, n * size) -
+               expected)
+                .cwiseAbs()
+                .maxCoeff(),
+              1e-6);
+    multiply_blocks<size>(given.data(), blocks.data(), 0, result.data());
+  }
+} // namespace
+
+TEST(BlockProducts, OfOneBlockWithMany)
+{
+  expect_products_with_blocks<3>();
+  expect_products_with_blocks<6>();
+}

@@ -12,6 +12,7 @@
 #include "conetact/bodies/groups.h"
 #include "conetact/bodies/structure.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -137,6 +138,9 @@ namespace conetact::bodies
     forget_mesh() override;
 
   private:
+    Surface
+    find_surface(const BoundaryIds &ids) const;
+
     std::unique_ptr<const Discretization<dim>> discretization; ///< or forgotten
     ContinuumMesh<dim>                         mesh;
     /** Of each component. */
@@ -151,6 +155,8 @@ namespace conetact::bodies
     Extent<dim>       extent;
     const char       *element_name;
     CellMatrices<dim> matrices;
+    /** Those that were asked for: a contact asks for its sides many times. */
+    mutable std::map<BoundaryIds, Surface> surfaces;
   };
 } // namespace conetact::bodies
 
