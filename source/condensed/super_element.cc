@@ -92,27 +92,18 @@ namespace conetact::condensed
       // Any alpha > 0 gives the same P: it stiffens the motions B, which are
       // taken out below. Of the size of S it leaves the condition of the rest
       // alone.
-      const double alpha = S.diagonal().mean();
-      // The largest matrices of a run may be these: each change is made in
-      // place, so that there is no third one beside S.
-      MatrixXd P = S;
-      P.noalias() += alpha * B * B.transpose();
-      P = inverse(std::move(P));
+      const double   alpha = S.diagonal().mean();
+      const MatrixXd T     = inverse(S + alpha * B * B.transpose());
       // A body that supports or foundations hold has no free motion: P = S^-1.
       if (B.cols() == 0)
-        return P;
-      const MatrixXd TB = P * B;
+        return T;
+      const MatrixXd TB = T * B;
       // The response to f and to forces along B such that B^T w = 0.
-      P.noalias() -= TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
+      MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
       // (1 - B B^T) P (1 - B B^T): the rounding of T is not free of motions.
-      const MatrixXd of_rows = B.transpose() * P;
-      P.noalias() -= B * of_rows;
-      const MatrixXd of_columns = P * B;
-      P.noalias() -= of_columns * B.transpose();
-      for (Index j = 0; j < P.cols(); ++j)
-        for (Index i = 0; i < j; ++i)
-          P(i, j) = P(j, i) = .5 * (P(i, j) + P(j, i));
-      return P;
+      P -= B * (B.transpose() * P).eval();
+      P -= (P * B).eval() * B.transpose();
+      return .5 * (P + P.transpose());
     }
   } // namespace
 
