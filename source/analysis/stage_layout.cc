@@ -25,15 +25,16 @@ namespace conetact::analysis
     const std::string held_name   = "stages/held";
 
     /** What laws of contact remember of a node. */
-    constexpr std::array<const char *, 9> memory = {{"contact/slipped",
-                                                     "contact/worn",
-                                                     "contact/packed",
-                                                     "contact/broken",
-                                                     "contact/parted",
-                                                     "contact/opened",
-                                                     "wear/error",
-                                                     "wear/depth",
-                                                     "contact/shorn"}};
+    constexpr std::array<const char *, 10> memory = {{"contact/slipped",
+                                                      "contact/worn",
+                                                      "contact/packed",
+                                                      "contact/broken",
+                                                      "contact/parted",
+                                                      "contact/opened",
+                                                      "wear/error",
+                                                      "wear/depth",
+                                                      "contact/shorn",
+                                                      "contact/removed"}};
     constexpr std::size_t slipped = 0, worn = 1, broken = 3, parted = 4,
                           opened = 5, shorn = 8;
     using Remembered = std::array<double, memory.size()>;

@@ -32,20 +32,20 @@ namespace conetact::solvers
         stiff = dual;
         return;
       }
-    const Index n = dual->n_contact_unknowns(), k = dual->n_motions;
-    split_motions(dual->matrix.bottomRightCorner(k, k));
+    const Index    n = dual->n_contact_unknowns(), k = dual->n_motions;
     const MatrixXd G = dual->matrix.topRightCorner(n, k);
     MatrixXd       W = dual->matrix.topLeftCorner(n, n);
+    // Balance of motions a that nothing resists, or little, gives
+    // G_0^T r = c a - b_0, so gamma G_0 G_0^T r is known but for a: W may have
+    // it if q and a give it back. Then W is regular where only motions made it
+    // singular. gamma makes both parts of one size.
+    const double gamma = G.squaredNorm() > 0 ? W.trace() / G.squaredNorm() : 0.;
+    split_motions(dual->matrix.bottomRightCorner(k, k), gamma);
     // Motions that foundations resist follow from the reactions, C a = G_r^T r
     // + b, and add their compliance.
     G_r = G * resisted;
     W += G_r * stiffness.cwiseInverse().asDiagonal() * G_r.transpose();
     const MatrixXd G_0 = G * free;
-    // Balance gives G_0^T r = -b_0, so gamma G_0 G_0^T r is a known
-    // displacement: W may have it if q gives it back. Then W is regular where
-    // only motions made it singular. gamma makes both parts of one size.
-    const double gamma =
-      G_0.squaredNorm() > 0 ? W.trace() / G_0.squaredNorm() : 0.;
     W += gamma * G_0 * G_0.transpose();
     added = gamma * G_0 * free.transpose();
     if (G_r.cols() > 0)
@@ -60,9 +60,11 @@ namespace conetact::solvers
     // Motions that no contact sees stay where they are.
     S = MatrixXd(free.cols(), free.cols());
     if (S.size() > 0)
-      S = (G_0.transpose() * YG)
-            .completeOrthogonalDecomposition()
-            .pseudoInverse();
+      {
+        S = G_0.transpose() * YG;
+        S.diagonal() += soft.cwiseQuotient(part);
+        S = S.completeOrthogonalDecomposition().pseudoInverse().eval();
+      }
     system->form      = Form::stiffness;
     system->n_motions = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
@@ -75,20 +77,28 @@ namespace conetact::solvers
   }
 
   /* Supports by springs resist some motions of a body and leave others free: C
-     is split by its eigenvectors, with zeros up to rounding. */
+     is split by its eigenvectors, with zeros up to rounding. Compliances of
+     soft springs are so large that W would lose the digits of what is elastic:
+     such motions are treated as free ones, but for their stiffness. */
   void
-  StiffnessForm::split_motions(const MatrixXd &C)
+  StiffnessForm::split_motions(const MatrixXd &C, const double gamma)
   {
     eigen_assert(C.rows() == C.cols());
     free = resisted = MatrixXd(C.rows(), 0);
     if (C.rows() == 0)
       return;
+    constexpr double few = .1; // of the stiffness that is about W's inverse
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(C);
-    const double limit = 1e-12 * eigen.eigenvalues().maxCoeff();
-    const Index  k     = (eigen.eigenvalues().array() <= limit).count();
-    free               = eigen.eigenvectors().leftCols(k);
-    resisted           = eigen.eigenvectors().rightCols(C.rows() - k);
-    stiffness          = eigen.eigenvalues().tail(C.rows() - k);
+    const double zero = 1e-12 * eigen.eigenvalues().maxCoeff();
+    const Index  k    = (eigen.eigenvalues().array() <= zero ||
+                     gamma * eigen.eigenvalues().array() <= few)
+                      .count();
+    free     = eigen.eigenvectors().leftCols(k);
+    resisted = eigen.eigenvectors().rightCols(C.rows() - k);
+    soft     = (eigen.eigenvalues().head(k).array() <= zero)
+             .select(0., eigen.eigenvalues().head(k));
+    part      = (1 - gamma * soft.array()).matrix();
+    stiffness = eigen.eigenvalues().tail(C.rows() - k);
   }
 
   /* q + gamma G_0 b_0 + G_r C^-1 b_r, so that v = W r + q stays the same with
@@ -128,7 +138,8 @@ namespace conetact::solvers
     VectorXd       a = VectorXd::Zero(b.size());
     if (free.cols() > 0)
       a += free * (S * (YG.transpose() * (v - displacement(given)) +
-                        free.transpose() * b));
+                        free.transpose() * b))
+                    .cwiseQuotient(part);
     if (resisted.cols() > 0)
       a += resisted * (G_r.transpose() * r + resisted.transpose() * b)
                         .cwiseQuotient(stiffness);

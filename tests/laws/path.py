@@ -277,6 +277,26 @@ def path_far(laws):
         laws.demand("  small kinematics, no warning", "bottom: kinematics small, both sides are plane" in log and "warning" not in log)
 
 
+def path_on_springs(laws):
+    """Soft foundations cost no digits: the path ends where increments do."""
+    rise = "min(max(t, 0), 1)", "min(max(t - 1, 0), 1)", "min(max(t - 2, 0), 1)"
+    for stiffness, young in ((100.0, 1e4), (1.0, 1e5), (1e4, 1e4)):
+        press = f"(0.7*{rise[0]} - 0.12*{rise[1]} - 0.15*{rise[2]})*(1 + 0.1*x)"
+        shear = f"0.3*(0.1*{rise[0]} + 0.04*{rise[1]} - 0.28*{rise[2]})"
+        scene = {"Dimension": 2, "Body block": box((7, 5), (2.8, 1.15), young=young), "Obstacle floor": floor(2), "Contact bottom": contact(mu=.2),
+                 "Support side": {"Body": "block", "Boundary ids": 0, "Stiffness": stiffness},
+                 "Load weight": load("body force", "0 ; -1"), "Load press": load("pressure", press, 3), "Load shear": load("traction", f"{shear} ; 0", 3),
+                 "Time": {"Times": "1, 2, 3"}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        events = Events(run.folder)
+        name = f"a block on springs, {stiffness:g} beside {young:g}"
+        laws.demand(f"{name}: {events.words}", events.words == "target reached")
+        steps = laws.run(merge(scene, {"Solver": {"Method": "automatic"}, "Time": {"Times": ", ".join(str(.025 * i) for i in range(1, 121))}}))
+        force = max(row["r_n"] for row in steps.last())
+        laws.check("  reactions beside 120 increments",
+                   max(abs(a[c] - b[c]) for a, b in zip(run.last(), steps.last()) for c in ("r_n", "r_t1")) / force, 1e-11)
+
+
 def path_shared_nodes(laws):
     """A node in two contacts with friction is refused whatever rounding makes of its rows."""
     for young, cells in itertools.product((1.0, 10.0, 100.0, 1e5), ((3, 2), (4, 3), (5, 7), (6, 5))):
@@ -290,6 +310,7 @@ def path_shared_nodes(laws):
 
 
 def path(laws):
+    path_on_springs(laws)
     path_shared_nodes(laws)
     path_far(laws)
     path_prestress(laws)

@@ -61,18 +61,20 @@ namespace conetact::solvers
 
   private:
     void
-    split_motions(const Eigen::MatrixXd &C);
+    split_motions(const Eigen::MatrixXd &C, const double gamma);
     /** q with what the additions to W take from it. */
     Eigen::VectorXd
     displacement(const Eigen::VectorXd &given) const;
 
     std::shared_ptr<const ContactSystem> dual, stiff;
-    Eigen::MatrixXd free;      ///< motions that C does not resist
+    Eigen::MatrixXd free;      ///< motions that C hardly resists
+    Eigen::VectorXd soft;      ///< how much it does
+    Eigen::VectorXd part;      ///< of them that W with additions leaves open
     Eigen::MatrixXd resisted;  ///< the others, eigenvectors of C
     Eigen::VectorXd stiffness; ///< their eigenvalues
     Eigen::MatrixXd G_r;       ///< resisted ones as contacts see them
     Eigen::MatrixXd added;     ///< to W, times -b
-    Eigen::MatrixXd YG, S;     ///< S = (G_0^T Y G_0)^{-1}
+    Eigen::MatrixXd YG, S;     ///< S = (G_0^T Y G_0 + soft / part)^{-1}
   };
 } // namespace conetact::solvers
 
