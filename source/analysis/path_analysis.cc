@@ -320,11 +320,15 @@ namespace conetact::analysis
       }
     take_primal(at, point, pending);
     waiting.push_back({std::move(pending), point});
-    last           = point;
-    last.parameter = t;
-    if (point.jump || point.plateau)
-      on_the_way += std::string(" after a ") +
-                    (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
+    last                    = point;
+    last.parameter          = t;
+    const std::string words = std::string(" after a ") +
+                              (point.jump ? "jump" : "plateau") +
+                              " at p = " + to_text(t);
+    // several at one load are one to users
+    if ((point.jump || point.plateau) &&
+        on_the_way.find(words) == std::string::npos)
+      on_the_way += words;
     const bool stops = Interruption::is_wanted();
     if (stops || waiting.size() >= most_at_once())
       flush();
