@@ -326,8 +326,9 @@ namespace conetact::analysis
                               (point.jump ? "jump" : "plateau") +
                               " at p = " + to_text(t);
     // several at one load are one to users
-    if ((point.jump || point.plateau) &&
-        on_the_way.find(words) == std::string::npos)
+    const bool is_told =
+      (on_the_way + " ").find(words + " ") != std::string::npos;
+    if ((point.jump || point.plateau) && !is_told)
       on_the_way += words;
     const bool stops = Interruption::is_wanted();
     if (stops || waiting.size() >= most_at_once())
