@@ -56,11 +56,15 @@ namespace conetact::analysis
       throw InputError(in + "bodies must be held by supports or foundations, "
                             "and one of these is not. Add a Support, or "
                             "choose automatic.");
-    if (contact::has_nodal_laws(run.model.points) || contacts_change)
+    if (contact::has_nodal_laws(run.model.points))
       throw InputError(in + "friction must be one coefficient of x, y, z, "
                             "without Cohesion, Compliance, wear, fluid, Active "
-                            "and springs, and Kinematics small. Choose "
-                            "automatic.");
+                            "and springs. Choose automatic.");
+    if (contacts_change)
+      throw InputError(in + "contacts are found anew as bodies move, which "
+                            "they do by Kinematics = finite sliding, or by "
+                            "automatic where motions are large. Set Kinematics "
+                            "= small in each Contact, or choose automatic.");
   }
 
   void

@@ -125,7 +125,8 @@ namespace conetact::pairing
                       "",
                       Anything(),
                       "Kind = spring: its direction from the Master point to "
-                      "the Point. Empty: the line through both.");
+                      "the Point, where both are at one place. Empty: the line "
+                      "through both.");
     prm.declare_entry("Stiffness",
                       "",
                       Anything(),
