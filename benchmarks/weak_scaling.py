@@ -19,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP
+from measure import TOP, table
 
 COLUMNS = ("processes", "dofs", "iterations an increment", "messages", "bytes", "sums", "bytes of sums", "cells", "cells, largest over mean",
            "ghosts", "memory MB")
@@ -60,21 +60,13 @@ def measure(build, processes, cells, libraries):
         return (ends[1] - ends[0]) / between
     seen = numbers(last, "elements seen by processes") or [float(re.search(r"elements seen: (\d+)", last)[1])]
     memory = numbers(last, "memory of processes") or [float(re.search(r"memory: ([\d.]+) MB", last)[1])]
-    if processes == 1:
-        measure.passes = seen[0] / cells**3
     dofs = 3
     for n in SHAPES[processes]:
         dofs *= n * cells + 1
     return dict(zip(COLUMNS, (processes, dofs, iterations(last) / 3, each("messages to neighbours"), each("their bytes"),
-                              each("sums and lists of all processes"), each("bytes of their parts"), max(seen) / measure.passes,
+                              each("sums and lists of all processes"), each("bytes of their parts"), max(seen),
                               max(seen) * len(seen) / sum(seen), max(numbers(last, "nodes of others in one exchange"), default=0),
                               max(memory) - libraries)))
-
-
-def show(rows):
-    print("|", " | ".join(COLUMNS), "|\n|" + "---|" * len(COLUMNS))
-    for row in rows:
-        print("|", " | ".join(f"{row[c]:.4g}" if row[c] < 1e4 else f"{row[c]:.0f}" for c in COLUMNS), "|")
 
 
 def draw(rows, file):
@@ -111,11 +103,14 @@ def main():
     libraries = float(re.search(r"memory: ([\d.]+) MB", small)[1])
     processes = sorted({1, *options.processes})  # one process tells how often elements are looked at
     rows = [measure(build, n, options.cells, libraries) for n in processes]
-    show(rows)
+    times_seen = rows[0]["cells"] / options.cells**3
+    for row in rows:
+        row["cells"] /= times_seen
+    print(table(COLUMNS, [[f"{row[c]:.4g}" if row[c] < 1e4 else f"{row[c]:.0f}" for c in COLUMNS] for row in rows]))
     with open(options.results / "weak_scaling.csv", "w", newline="") as stream:
-        table = csv.DictWriter(stream, COLUMNS)
-        table.writeheader()
-        table.writerows(rows)
+        writer = csv.DictWriter(stream, COLUMNS)
+        writer.writeheader()
+        writer.writerows(rows)
     draw(rows, options.results / "weak_scaling.png")
 
 

@@ -41,15 +41,19 @@ namespace conetact::bodies
     using Cells =
       std::vector<typename Triangulation<dim>::active_cell_iterator>;
 
-    /** The way through all of them, one by another. */
+    /** Whether the way from one to the next is several cells long. */
     template <int dim>
-    double
-    length_of_way(const Cells<dim> &cells)
+    bool
+    jump_about(const Cells<dim> &cells)
     {
-      double length = 0;
+      constexpr double several = 4;
+      double           way = 0, edges = 0;
       for (std::size_t c = 1; c < cells.size(); ++c)
-        length += cells[c]->vertex(0).distance(cells[c - 1]->vertex(0));
-      return length;
+        {
+          way += cells[c]->vertex(0).distance(cells[c - 1]->vertex(0));
+          edges += cells[c]->vertex(0).distance(cells[c]->vertex(1));
+        }
+      return way > several * edges;
     }
 
     /** In the order of the mesh, unless that jumps about, as it does in files
@@ -59,24 +63,21 @@ namespace conetact::bodies
     Cells<dim>
     cells_of(const Triangulation<dim> &mesh)
     {
-      Cells<dim>              cells;
-      std::vector<Point<dim>> places;
+      Cells<dim> cells;
       for (const auto &cell : mesh.active_cell_iterators())
-        {
-          cells.push_back(cell);
-          places.push_back(cell->vertex(0));
-        }
+        cells.push_back(cell);
+      if (!jump_about<dim>(cells))
+        return cells;
+      std::vector<Point<dim>> places;
+      for (const auto &cell : cells)
+        places.push_back(cell->vertex(0));
       constexpr int bits = 8; // of places along each axis
       const auto    curve =
         Utilities::inverse_Hilbert_space_filling_curve(places, bits);
-      Cells<dim> sorted = cells;
-      std::stable_sort(sorted.begin(), sorted.end(), [&](auto &a, auto &b) {
+      std::stable_sort(cells.begin(), cells.end(), [&](auto &a, auto &b) {
         return curve[a->active_cell_index()] < curve[b->active_cell_index()];
       });
-      constexpr double much = 4;
-      return much * length_of_way<dim>(sorted) < length_of_way<dim>(cells) ?
-               sorted :
-               cells;
+      return cells;
     }
 
     /** Empty where cells come in their order. */
