@@ -14,6 +14,7 @@ usage: check_program.py PROGRAM CASE [COUNT]
   silence     nothing but the log on standard output, without contact too
   old-files   pictures of a longer run are removed, files of others stay
   loads       the log tells the resultant of each load
+  boundaries  a dry run lists groups of cells and boundary ids
   directions  a body that slides does so where it is pushed
   condensers  what condenses bodies changes no sentence; --verify tells by how much
   first-contact  the manual, a starter scene that runs, includes, line ends, the closing screen
@@ -170,6 +171,16 @@ class Case:
         run = self.run(text, "--dry-run")
         self.demand("a nodal force acts on each node",
                     "Load pull: resultant (0, -3, 0) at all times, on 3 nodes" in run.stdout, run.stdout)
+
+    def boundaries(self):
+        """A dry run lists what a drawing numbers: groups of cells, boundary ids with area, shape and place."""
+        geo = self.folder / "two parts.geo"
+        geo.write_text('SetFactory("OpenCASCADE");\nBox(1) = {0, 0, 0, 1, 1, 1};\nCylinder(2) = {.5, .5, 1, 0, 0, 1, .25};\n')
+        run = self.run(self.on_mesh(3, "two parts.geo\n    set Size = 0.25"), "--dry-run")
+        self.demand("groups of cells", "; groups of its cells: 1, 2;" in run.stdout, run.stdout)
+        for line in (r"boundary id 5: area 1, plane with normal \(0, 0, -1\), from \(0, 0, 0\) to \(1, 1, 0\)",
+                     r"boundary id 7: area 1\.[45]\d*, not plane, from \(0.25, \S* 1\) to \(0.75, \S* 2\)"):
+            self.demand(line, re.search("^Body block, " + line + "$", run.stdout, re.M), run.stdout)
 
     def directions(self):
         """Pushed beyond friction in each direction, as the slave and as the master of the contact."""

@@ -8,6 +8,8 @@
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -198,6 +200,53 @@ namespace conetact::analysis
                    bodies.names[b] + ", congruent to others");
     }
 
+    /** "plane with normal (0, 0, 1)" if all faces have one normal. */
+    std::string
+    shape_of(const std::vector<bodies::SurfaceFace> &faces)
+    {
+      const Tensor<1, 3> normal = faces.front().normal;
+      const bool         is_plane =
+        std::all_of(faces.begin(), faces.end(), [&](const auto &face) {
+          return (face.normal - normal).norm() < 1e-6;
+        });
+      return is_plane ? "plane with normal " + to_text(normal) : "not plane";
+    }
+
+    /** Names of the groups that have the id. */
+    std::string
+    groups_of(const bodies::Structure &body, const unsigned int id)
+    {
+      std::vector<std::string> names;
+      for (const auto &[name, ids] : body.boundary_groups())
+        if (ids.count(id) > 0)
+          names.push_back(name);
+      return names.empty() ? "" : " (" + join(names) + ")";
+    }
+
+    void
+    report_boundary(const std::string       &name,
+                    const bodies::Structure &body,
+                    const unsigned int       id,
+                    Log                     &log)
+    {
+      const bodies::Surface surface = body.surface({id});
+      if (surface.faces.empty())
+        return;
+      double                area = 0;
+      std::vector<Point<3>> points;
+      for (const bodies::SurfaceNode &node : surface.nodes)
+        {
+          area += node.area;
+          points.push_back(node.position);
+        }
+      const auto [low, high] =
+        dealii::BoundingBox<3>(points).get_boundary_points();
+      log.note("Body " + name + ", boundary id " + std::to_string(id) +
+               groups_of(body, id) + ": area " + to_text(area) + ", " +
+               shape_of(surface.faces) + ", from " + to_text(low) + " to " +
+               to_text(high));
+    }
+
     void
     report_skipped(const application::Scene    &scene,
                    const contact::ContactModel &model,
@@ -269,6 +318,14 @@ namespace conetact::analysis
   }
 
 
+  void
+  report_boundaries(const model::Bodies &bodies, Log &log)
+  {
+    for (std::size_t b = 0; b < bodies.n_elastic(); ++b)
+      for (const unsigned int id : bodies.structures[b]->boundary_ids())
+        report_boundary(bodies.names[b], *bodies.structures[b], id, log);
+  }
+
 
   void
   report_loads(const bodies::NodalLoads &loads, Log &log)
@@ -309,7 +366,6 @@ namespace conetact::analysis
     report_processes(n, cost, log);
     warn_of_memory(all, log);
   }
-
 
 
   void

@@ -7,6 +7,7 @@
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/analysis/path_analysis.h"
+#include "conetact/analysis/scene_report.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
@@ -65,6 +66,7 @@ namespace conetact::analysis
     foretell(Analysis &analysis, const application::Scene &scene, Log &log)
     {
       analysis.check_history();
+      report_boundaries(scene.bodies, log);
       analysis.estimate();
       if (scene.adaptive.cycles > 0)
         log.say("estimates are those of the first of " +

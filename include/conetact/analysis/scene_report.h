@@ -18,6 +18,13 @@ namespace conetact::analysis
                Log                         &log);
 
   /**
+   * Area, shape and place of the faces that each boundary id of each body has,
+   * to the log: drawings number their faces themselves.
+   */
+  void
+  report_boundaries(const model::Bodies &bodies, Log &log);
+
+  /**
    * Sums of the nodal forces of each load, as far as they are known, to the
    * log: what is meant for one node may act on several.
    */

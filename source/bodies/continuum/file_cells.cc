@@ -83,6 +83,25 @@ namespace conetact::bodies
       std::map<Groups, unsigned int> overlaps;
     };
 
+    /** Groups of the cells of this dimension, by their names if they have any.
+     */
+    std::string
+    groups_of_cells(const FileMesh &mesh, const unsigned int dim)
+    {
+      Groups all;
+      for (const FileMesh::Element &element : mesh.elements)
+        if (element.dim == dim)
+          all.insert(element.groups.begin(), element.groups.end());
+      std::vector<std::string> names;
+      for (const unsigned int group : all)
+        {
+          const auto name = mesh.names.find({dim, group});
+          names.push_back(name != mesh.names.end() ? name->second :
+                                                     std::to_string(group));
+        }
+      return names.size() < 2 ? "" : join(names);
+    }
+
     /** Numbers and names of groups of this dimension that are asked for. */
     Groups
     wanted_groups(const FileMesh       &mesh,
@@ -124,10 +143,15 @@ namespace conetact::bodies
           }
       for (const unsigned int group : wanted)
         if (seen.count(group) == 0)
-          throw InputError(parameters.where + "Group: no cell of '" +
-                           parameters.file.string() + "' is in the group " +
-                           std::to_string(group) + ". Name a physical " +
-                           (dim == 2 ? "surface" : "volume") + " of the file.");
+          {
+            const std::string names = groups_of_cells(mesh, dim);
+            throw InputError(parameters.where + "Group: no cell of '" +
+                             parameters.file.string() + "' is in the group " +
+                             std::to_string(group) + ". Name a physical " +
+                             (dim == 2 ? "surface" : "volume") +
+                             " of the file" +
+                             (names.empty() ? "." : ": " + names + "."));
+          }
       return cells;
     }
 
@@ -382,6 +406,9 @@ namespace conetact::bodies
     groups.notes = file.notes;
     if (!taken->note.empty())
       groups.notes.push_back(taken->note);
+    if (const std::string names = groups_of_cells(file, dim);
+        parameters.group.empty() && !names.empty())
+      groups.notes.push_back("groups of its cells: " + names);
     const BentEdges bent = bent_edges(file, cells);
     groups.caution       = to_sentence(bent,
                                  parameters.file.filename().string(),
