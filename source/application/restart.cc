@@ -7,7 +7,10 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <cstdlib>
+#include <regex>
 #include <set>
+#include <sstream>
 
 namespace conetact::application
 {
@@ -43,6 +46,35 @@ namespace conetact::application
     {
       const auto found = entries.find(path);
       return found == entries.end() ? "" : found->second;
+    }
+
+    /** The text with each number as 2000, however it is written (2e3, 2000.0),
+     * and one blank behind each word, number and sign. */
+    std::string
+    in_one_spelling(const std::string &text)
+    {
+      static const std::regex word(
+        R"([A-Za-z_]\w*|((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)|\S)");
+      std::ostringstream words;
+      words.precision(17);
+      for (std::sregex_iterator at(text.begin(), text.end(), word), end;
+           at != end;
+           ++at)
+        if ((*at)[1].matched)
+          words << std::strtod(at->str().c_str(), nullptr) << ' ';
+        else
+          words << at->str() << ' ';
+      return words.str();
+    }
+
+    bool
+    is_same(const std::string &entry, const Entries &then, const Entries &now)
+    {
+      const std::string before = value_in(then, entry),
+                        after  = value_in(now, entry);
+      const bool is_name       = entry.substr(entry.rfind('/') + 1) == "File";
+      return before == after ||
+             (!is_name && in_one_spelling(before) == in_one_spelling(after));
     }
 
     /** Of loads that are rigid: what makes their couplings. */
@@ -95,7 +127,7 @@ namespace conetact::application
       both.insert(now.begin(), now.end());
       for (const auto &[entry, value] : both)
         if ((must_stay(entry) || must_stay(entry, then, now)) &&
-            value_in(then, entry) != value_in(now, entry))
+            !is_same(entry, then, now))
           throw InputError(
             "Option --restart: " + entry + " was '" + value_in(then, entry) +
             "' in " + run.folder.string() + " and is '" + value_in(now, entry) +
@@ -107,7 +139,7 @@ namespace conetact::application
       for (const auto &[entry, value] : then)
         if (entry.rfind("Support ", 0) == 0 && !value.empty() &&
             entry.substr(entry.find('/')) == "/Stiffness" &&
-            value_in(now, entry) != value)
+            !is_same(entry, then, now))
           throw InputError(
             "Option --restart: " + entry + " was '" + value + "' in " +
             run.folder.string() +

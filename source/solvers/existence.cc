@@ -147,11 +147,14 @@ namespace conetact::solvers
         if ((high *= 2) * mu.maxCoeff() > 1e6)
           return;
       }
-    double factor = .5 * (low + high);
+    double factor = .5 * (low + high), width = 2 * (high - low);
     for (unsigned int i = 0; i < 100 && high - low > 1e-12 * high; ++i)
       {
         const Reach  at       = reach(c, factor * mu);
         const double distance = at.z.norm();
+        // In space steps from below may shrink and never reach the end.
+        const bool is_slow = high - low > .5 * width;
+        width              = high - low;
         if (distance <= zero)
           {
             high   = factor;
@@ -170,7 +173,8 @@ namespace conetact::solvers
         const double step = distance / gain;
         if (step > 0 && step <= 1e-11 * factor)
           high = std::min(high, factor + step);
-        factor = step > 0 && low + step < high ? low + step : .5 * (low + high);
+        factor = step > 0 && low + step < high && !is_slow ? low + step :
+                                                             .5 * (low + high);
       }
     if (most > 0)
       result.friction_factor = high;

@@ -19,7 +19,7 @@ def share(sentence):
 
 
 def needed(sentence):
-    found = re.search(r"the largest to ([0-9.]+[0-9])", sentence)
+    found = re.search(r"(?:the largest to|coefficient of) ([0-9.]+[0-9])", sentence)
     return float(found[1]) if found else math.nan
 
 
@@ -222,7 +222,23 @@ def released(laws):
         laws.check("  its limit", abs(share(sentence) * load_at_end / 300 - 1), 1e-5)
 
 
+def pushed_askew(laws):
+    """A block on another one, pressed, pushed and turned: the friction that is told does not depend on that at hand,
+    a little more of it holds, a little less does not."""
+    def scene(mu):
+        return {"Dimension": 3, "Body lower": box((3, 3, 2), (2.5, 2.0, 1.0), (-.5, -.5, -1.0)),
+                "Body upper": box((4, 3, 2), (1.6, 1.0, .5)), "Contact joint": joint("upper", 4, "lower", 5, **{"Friction coefficient": mu}),
+                "Support ground": {"Body": "lower", "Boundary ids": 4},
+                "Load press": load("traction", "1.2 ; 4.6 ; -20", 5, "upper"), "Load side": load("pressure", 2, 0, "upper"),
+                "Output": {"VTU": 0}}
+    least = [needed(told(laws, scene(mu))) for mu in (.01, .1, .2)]
+    laws.check("needed friction, whatever is at hand", max(abs(mu / least[0] - 1) for mu in least), 1e-5)
+    laws.demand("  1.001 of it holds", laws.start(scene(1.001 * least[0]))[0].returncode == 0)
+    laws.demand("  .999 does not", "no equilibrium exists" in told(laws, scene(.999 * least[0])))
+
+
 def limits(laws):
+    pushed_askew(laws)
     press_fits(laws)
     released(laws)
     by_laws(laws)

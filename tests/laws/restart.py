@@ -283,6 +283,9 @@ def refusals(laws):
         done, result = laws.start(tree, "--restart", folder, *more)
         laws.demand(f"{what}: exit code {done.returncode}: {done.stderr.strip()}",
                     done.returncode == 1 and sentence in done.stderr and not result.exists())
+    spelled = merge(scene, {"Body block": {"Material": {"Young modulus": "1e3", "Poisson ratio": ".30"}}, "Time": {"End": 9}})
+    done, _ = laws.start(spelled, "--restart", folder)
+    laws.demand(f"the same numbers in another spelling: {done.stderr.strip()}", done.returncode == 0)
     checkpoint = folder / "checkpoint.bin"
     longer = merge(scene, {"Time": {"End": 9, "Increments": 9}})
     for what, content in (("half a checkpoint", before["checkpoint.bin"][:1000]), ("an empty one", b""),
