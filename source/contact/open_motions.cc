@@ -50,7 +50,7 @@ namespace conetact::contact
     MatrixXd
     null_of(const MatrixXd &rows)
     {
-      constexpr double zero = 1e-9, nearly = 1e-6;
+      constexpr double zero = 1e-9, nearly = 1e-3;
       if (rows.cols() == 0 || rows.rows() == 0)
         return MatrixXd::Identity(rows.cols(), rows.cols());
       const Eigen::SelfAdjointEigenSolver<MatrixXd> squares(rows.transpose() *

@@ -6,7 +6,6 @@
 #include "conetact/base/errors.h"
 #include "conetact/contact/null_and_range.h"
 #include "conetact/contact/unseen_motions.h"
-#include "conetact/solvers/column_groups.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -428,23 +427,11 @@ namespace conetact::contact
 
 
 
-  /* Motions that neither springs nor contacts see are the null space of G^T G,
-     with G of the motions that no spring resists. */
   Eigen::MatrixXd
   RigidMotions::unseen() const
   {
-    const Eigen::MatrixXd G = null_space();
-    Eigen::MatrixXd       null(G.cols(), 0);
-    for (const solvers::ColumnGroup &group : solvers::column_groups(G))
-      {
-        const Eigen::MatrixXd own      = G(group.blocks, group.columns);
-        const Eigen::MatrixXd of_group = split(own.transpose() * own).null;
-        const Index           n        = null.cols();
-        null.conservativeResize(Eigen::NoChange, n + of_group.cols());
-        null.rightCols(of_group.cols()).setZero();
-        null(group.columns, Eigen::lastN(of_group.cols())) = of_group;
-      }
-    return without_springs * null;
+    Eigen::MatrixXd G = seen_by_contacts * without_springs;
+    return G.rows() == 0 ? without_springs : without_springs * forget_unseen(G);
   }
 
 

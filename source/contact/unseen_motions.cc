@@ -16,7 +16,7 @@ namespace conetact::contact
 {
   namespace
   {
-    constexpr double zero_of_rows = 1e-12, nearly_unseen = 1e-6;
+    constexpr double zero_of_rows = 1e-12, nearly_unseen = 1e-3;
 
     /** Rows and motions of bodies that meet. */
     struct Seen

@@ -42,9 +42,24 @@ namespace conetact::solvers
       return result;
     }
 
-    /** Scales that give the columns of G norm 1. A motion that contacts hardly
-     * see, 1e-6 of the largest, is scaled with that one: to make its column one
-     * would make rounding of it a motion. */
+    /**
+     * What the column of a motion is divided by: its norm, or the largest of
+     * all if it is zero. Where contacts hardly see a motion it is half way
+     * between both: in a column of one its rounding would be a motion of its
+     * own, in one as small as it is what holds it would be lost in shifts of
+     * the matrix.
+     */
+    double
+    weight_of_motion(const double norm, const double largest)
+    {
+      constexpr double zero = 1e-12, hardly = 1e-2;
+      if (norm > hardly * largest)
+        return norm;
+      if (norm > zero * largest)
+        return std::sqrt(norm * hardly * largest);
+      return largest > 0 ? largest : 1.;
+    }
+
     void
     scale_motions(const ContactSystem &system, VectorXd &scale)
     {
@@ -52,15 +67,12 @@ namespace conetact::solvers
       double      largest = 0;
       for (Index j = n; j < system.n_unknowns(); ++j)
         {
-          const double norm =
+          scale(j) =
             scale.head(n).cwiseProduct(system.matrix.col(j).head(n)).norm();
-          scale(j) = norm;
-          largest  = std::max(largest, norm);
+          largest = std::max(largest, scale(j));
         }
       for (Index j = n; j < system.n_unknowns(); ++j)
-        scale(j) = 1 / (scale(j) > 1e-6 * largest ? scale(j) :
-                        largest > 0               ? largest :
-                                                    1.);
+        scale(j) = 1 / weight_of_motion(scale(j), largest);
     }
 
     constexpr double smallest_force = 1e-30; ///< a zero that divides

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Two bodies that do not meet know nothing of each other; free ones that overlap take the shortest way out."""
+import math
 import re
 
 from support.logs import log_of
@@ -51,6 +52,24 @@ def fit_that_floats(laws):
             laws.check("  how far it moves, over the interference", run.largest("u_n", "u_t1") / 1e-3, 2)
             pressures.append(sorted(row["r_n"] for row in run.last()))
         laws.check(f"{pairing}: pressures of both", max(abs(a - b) for a, b in zip(*pressures)) / pressures[0][-1], 1e-8)
+
+
+def fit_without_friction(laws):
+    """A shrink fit of rings whose facets resist a turn of one in the other by their last digits only: the pressure of Lame."""
+    a, b, c, nu, gap = 1.0, 1.5, 2.3, .3, 5e-5
+    inner, outer = 16e3, 37e3
+    opened = sum(b / young * ((b * b + r * r) / abs(r * r - b * b) + sign * nu) for young, r, sign in ((inner, a, -1), (outer, c, 1)))
+    for element, bound in (("Q1", .03), ("Q2", 3e-3)):
+        for n_inner, n_outer, slave in ((99, 101, "hub"), (30, 69, "hub"), (45, 32, "shaft"), (90, 61, "shaft"), (55, 47, "hub"), (37, 38, "shaft")):
+            sides = {"shaft": 1, "hub": 0}
+            master = "shaft" if slave == "hub" else "hub"
+            run = laws.run({"Dimension": 2, "Body shaft": {**ring(a, b, n_inner, young=inner), "Element": element},
+                            "Body hub": {**ring(b, c, n_outer, young=outer), "Element": element},
+                            "Contact joint": contact(slave, sides[slave], "", 0, **{
+                                "Master body": master, "Master boundary ids": sides[master], "Gap": -gap}),
+                            "Output": {"VTU": 0}})
+            force = sum(row["r_n"] for row in run.rows if row["contact"] == "joint")
+            laws.check(f"{element}, {n_inner} on {n_outer} cells, {slave}: pressure", abs(force / (2 * math.pi * b * gap / opened) - 1), bound)
 
 
 def shortest_way(laws):
@@ -146,6 +165,7 @@ def bodies(laws):
     slips_to_both_sides(laws)
     shortest_way_out(laws)
     fit_that_floats(laws)
+    fit_without_friction(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)
         right = press_and_shear(dim, mu=.5, young=70.0)
