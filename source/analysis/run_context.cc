@@ -8,6 +8,7 @@
 #include "conetact/contact/preloads.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <utility>
 
@@ -132,6 +133,22 @@ namespace conetact::analysis
       increment.record.each_load.push_back({force, moment});
   }
 
+  /* The traction of a total has its force and its moment in space where its
+     faces stand now: as a field it turns with the body. */
+  Eigen::VectorXd
+  RunContext::in_frame(const bodies::Load    &load,
+                       const Eigen::VectorXd &undeformed,
+                       const double           t) const
+  {
+    const Tensor<2, 3> turn = model.bodies.frames[load.body].rotation;
+    if (!load.is_total() ||
+        turn == Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()))
+      return undeformed;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(undeformed.size());
+    load.add(*model.bodies.structures[load.body], t, f, turn);
+    return f;
+  }
+
   /* In the frames of bodies, some loads turn with them and others against
      them; in space, forces act where bodies have come to. */
   void
@@ -145,8 +162,8 @@ namespace conetact::analysis
                 [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
                   Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());
                   f.segment(coordinates.offset(load.body), on_body.size()) =
-                    on_body;
-                  if (!load.follows())
+                    in_frame(load, on_body, increment.record.time);
+                  if (!load.follows() && !load.is_total())
                     f = coordinates.forces_in_frames(f);
                   all += f;
                   if (!load.strains())

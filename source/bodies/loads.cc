@@ -91,16 +91,25 @@ namespace conetact::bodies
     });
   }
 
-  /* In the plane a moment is about z. */
+  /* In the axes of the body. In the plane a moment is about z. */
   Tensor<1, 3>
-  Load::spread_traction(const Point<3> &p, const double t) const
+  Load::total(const double t, const Tensor<2, 3> &turn) const
   {
     const Tensor<1, 3> v = evaluate(value, point, t);
-    if (kind == Kind::force)
-      return spread->traction(
-        p, v, dealii::cross_product_3d(point - spread->centroid(), v));
-    const Tensor<1, 3> about_z({0, 0, v[0]});
-    return spread->traction(p, {}, value.size() == 1 ? about_z : v);
+    return kind == Kind::moment && value.size() == 1 ?
+             Tensor<1, 3>({0, 0, v[0]}) :
+             Tensor<1, 3>(transpose(turn) * v);
+  }
+
+  Tensor<1, 3>
+  Load::spread_traction(const Point<3> &p, const Tensor<1, 3> &total) const
+  {
+    return kind == Kind::moment ?
+             spread->traction(p, {}, total) :
+             spread->traction(
+               p,
+               total,
+               dealii::cross_product_3d(point - spread->centroid(), total));
   }
 
   Tensor<1, 3>
@@ -124,7 +133,7 @@ namespace conetact::bodies
   }
 
   std::optional<Action>
-  Load::action(const double t) const
+  Load::action(const double t, const Tensor<2, 3> &turn) const
   {
     if (is_rigid)
       return {};
@@ -145,13 +154,13 @@ namespace conetact::bodies
         case Kind::force:
         case Kind::moment:
           return Action::traction(ids,
-                                  [this, t](const Point<3> &p,
-                                            const Tensor<1, 3> &) {
-                                    return spread_traction(p, t);
+                                  [this,
+                                   sum = total(t, turn)](const Point<3> &p,
+                                                         const Tensor<1, 3> &) {
+                                    return spread_traction(p, sum);
                                   });
         case Kind::bearing:
-          return Action::traction(ids,
-                                  spread->bearing(evaluate(value, point, t)));
+          return Action::traction(ids, spread->bearing(total(t, turn)));
         case Kind::centrifugal:
           return Action::body_force(
             [this, t](const Point<3> &p) { return centrifugal_force(p, t); });
@@ -172,14 +181,15 @@ namespace conetact::bodies
   }
 
   void
-  Load::add(const Structure &structure,
-            const double     t,
-            Eigen::VectorXd &f) const
+  Load::add(const Structure    &structure,
+            const double        t,
+            Eigen::VectorXd    &f,
+            const Tensor<2, 3> &turn) const
   {
     if (!is_active(t))
       return;
     const std::string           in = "Load '" + name + "', ";
-    const std::optional<Action> a  = action(t);
+    const std::optional<Action> a  = action(t, turn);
     if (is_rigid)
       add_at_first_node(*this, structure, t, f);
     else if (!a)

@@ -13,6 +13,7 @@ FAR = {"Kinematics": "finite sliding"}
 def far_turns(laws):
     unloaded(laws)
     loaded(laws)
+    totals(laws)
     shaft(laws)
     rolled_disc(laws)
     rolled_ball(laws)
@@ -73,6 +74,28 @@ def loaded(laws):
             laws.check(f"{dim}D, {name}: force of the support",
                        math.dist([a[f"support_hub_f_{c}"] for c in "xyz"], force) / size, 1e-10)
             laws.check(f"{dim}D, {name}: balance", max(row["balance"] for row in turned.increments), 1e-10)
+
+
+def totals(laws):
+    """Forces and moments of given size keep size and direction in space; a force turns with the point that it acts at."""
+    for dim, axis, degrees in ((2, (0, 0, 1), 70.0), (3, (1, 2, 3), 110.0)):
+        m, centre = rotation(axis, degrees), (.3, .2, .1)[:dim] + (0.0,) * (3 - dim)
+        point, force = (5.0, 2.0, -1.0)[:dim], (.3, -.2, .1)[:dim]
+        moment = (.7,) if dim == 2 else (.7, -.4, .2)
+        def text(values):
+            return " ; ".join(map(repr, values))
+        scene = merge(bar(dim, degrees, axis), {
+            "Load pull": load("force", text(force), 1, "bar", Point=point),
+            "Load twist": load("moment", text(moment), 1, "bar")})
+        last = laws.run(scene).increments[-1]
+        force, arm = force + (0.0,) * (3 - dim), plus(point + (0.0,) * (3 - dim), scaled(-1, centre))
+        at = plus(centre, apply(m, arm))
+        whole = {"pull": [at[1] * force[2] - at[2] * force[1], at[2] * force[0] - at[0] * force[2], at[0] * force[1] - at[1] * force[0]],
+                 "twist": [0.0, 0.0, .7] if dim == 2 else moment}
+        for name, expected in whole.items():
+            error = max(abs(last[f"load_{name}_m_{c}"] - value) for c, value in zip("xyz", expected))
+            laws.check(f"{dim}D, turned by {degrees:g} degrees: moment of '{name}'", error, 1e-12)
+        laws.check("  what the support carries", max(abs(last[f"supports_m_{c}"] + last[f"loads_m_{c}"]) for c in "xyz"), 1e-10)
 
 
 def shell(inner, outer, cells, poisson=.3):

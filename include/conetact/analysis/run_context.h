@@ -62,6 +62,10 @@ namespace conetact::analysis
     /** What acts at time t: all of it, and what is mechanical. */
     void
     take_loads(const double t, PendingIncrement &increment);
+    Eigen::VectorXd
+    in_frame(const bodies::Load    &load,
+             const Eigen::VectorXd &undeformed,
+             const double           t) const;
     void
     turn_loads(const Eigen::VectorXd &others, PendingIncrement &increment);
   };

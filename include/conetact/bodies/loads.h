@@ -9,6 +9,7 @@
 #include "conetact/bodies/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <memory>
 #include <optional>
@@ -82,19 +83,34 @@ namespace conetact::bodies
     bool
     is_zero() const;
 
-    /** Adds the nodal forces at time t. */
+    /** Whether it is a force or a moment of given size, spread over faces: it
+     * keeps its size and its direction in space, however they turn. */
+    bool
+    is_total() const
+    {
+      return spread != nullptr && !is_rigid;
+    }
+
+    /** Adds the nodal forces at time t; those of a total in the axes of a body
+     * that has turned by `turn`. */
     void
-    add(const Structure &structure, const double t, Eigen::VectorXd &f) const;
+    add(const Structure    &structure,
+        const double        t,
+        Eigen::VectorXd    &f,
+        const Tensor<2, 3> &turn = dealii::unit_symmetric_tensor<3>()) const;
     /**
      * The load at time t as write_graphics() takes it; none for nodal forces.
      * It refers to this object.
      */
     std::optional<Action>
-    action(const double t) const;
+    action(const double        t,
+           const Tensor<2, 3> &turn = dealii::unit_symmetric_tensor<3>()) const;
 
   private:
     Tensor<1, 3>
-    spread_traction(const Point<3> &p, const double t) const;
+    total(const double t, const Tensor<2, 3> &turn) const;
+    Tensor<1, 3>
+    spread_traction(const Point<3> &p, const Tensor<1, 3> &total) const;
     Tensor<1, 3>
     centrifugal_force(const Point<3> &p, const double t) const;
     InitialStrain
