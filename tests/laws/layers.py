@@ -232,8 +232,8 @@ def together(laws):
 
 
 def worn_far(laws):
-    """A slider on a long track: the volume is k times the work of normal forces on ways, whatever has been left behind; what the other
-    side loses stays with nodes of Body, which is told."""
+    """A slider on a long track: the volume is k times the work of normal forces on ways, whatever has been left behind. An obstacle
+    keeps no depth: what it loses stays with nodes of Body, which is told."""
     k = 1e-5
     for body, other, ids, share in (("slider", "track", (2, 3), .5), ("track", "slider", (3, 2), .5), ("track", "slider", (3, 2), 1)):
         run = laws.run({"Dimension": 2, "Body slider": box((6, 2), (2.0, 1.0), poisson=0), "Body track": box((36, 2), (9.0, 1.0), (-1.0, -1.0), poisson=0),
@@ -246,7 +246,10 @@ def worn_far(laws):
         volumes = [row["face_worn"] for row in run.increments]
         laws.check(f"worn far, {body} as Body, share {share}: volume over k r_n |du|", abs(volumes[-1] / (k * work) - 1), 1e-12)
         laws.demand("  it never falls", all(a <= b for a, b in zip(volumes, volumes[1:])))
-        laws.demand("  what stays with Body is told", ("stays with the nodes" in log_of(run)) == (share < 1))
+        laws.demand("  no warning of wear", "stays with the nodes" not in log_of(run) and "loses goes up" not in log_of(run))
+    for share in (.5, 1):
+        run = laws.run(drawn(2, k, **{"Wear share": share}))
+        laws.demand(f"an obstacle, share {share}: what stays with Body is told", ("stays with the nodes" in log_of(run)) == (share < 1))
 
 
 def layers(laws):
