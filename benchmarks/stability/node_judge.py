@@ -75,6 +75,7 @@ class Judge:
 
     def __init__(self, run, known):
         self.run, self.known, self.worst, self.nodes, self.time = run, known, {}, {}, 0.0
+        self.fields = {}  # of masters that wear, so far: depths by places along x
         self.force = run.largest("r_n", "r_t1", "r_t2") or 1.0
         self.length = max(run.largest("u_n", "u_t1", "u_t2"), self.force / known.stiffness)
         self.depth = run.largest("wear") if "wear" in run.rows[0] else 0.0
@@ -95,6 +96,9 @@ class Judge:
                 if f"{name}_worn" in record and self.depth:
                     self.note("worn volume", abs(record[f"{name}_worn"] - volume),
                               self.depth * sum(row["area"] for row in rows))
+            for name, touch in self.known.contacts.items():
+                if self.depth and touch.master:
+                    self.fields[name] = sorted((row["x"], row["wear"]) for row in rows if row["contact"] == name + "_master")
             self.time = record["time"]
         return self.worst
 
@@ -187,6 +191,11 @@ class Judge:
         if row["state"] == "slip":
             node.way += slip
         opened = node.worn if touch.implicit else before
+        if touch.master and touch.share < 1 and self.depth:
+            # the rest is a depth of the master, linear along its faces; what means over faces see of it no table tells
+            if self.known.dim == 3 or touch.entries.get("Pairing") != "node to face":
+                return
+            opened += (touch.share - 1) * before + float(np.interp(row["foot_x"], *zip(*(self.fields.get(row["contact"]) or [(0.0, 0.0)]))))
         self.note("gap is that of geometry", abs(row["gap"] - touch.gap(statics.place(row)) - row["u_n"] - opened), self.length)
 
 

@@ -78,14 +78,25 @@ namespace conetact::analysis
       return states;
     }
 
+    /** The depths of all masters that wear. */
+    std::vector<model::WornNode>
+    worn_masters(const contact::Wear &wear)
+    {
+      std::vector<model::WornNode> nodes;
+      for (Eigen::Index i = 0; i < wear.of_sides().size(); ++i)
+        nodes.push_back({(*wear.sides())[i].body,
+                         (*wear.sides())[i].node,
+                         wear.of_sides()[i]});
+      return nodes;
+    }
+
     /** Of an increment that is accepted. */
     contact::KeptByLaws
     kept_by_laws(const PendingIncrement       &increment,
                  const contact::ContactPoints &points)
     {
       const contact::ContactHistory &after = increment.after;
-      contact::KeptByLaws            kept{after.memory().worn,
-                               after.memory().removed,
+      contact::KeptByLaws            kept{&after.memory().wear,
                                after.memory().broken,
                                {},
                                increment.wet};
@@ -169,7 +180,7 @@ namespace conetact::analysis
         claim.mechanical = contact::shared(*claim.mechanical + locks);
       }
     claim.laws  = increment.load.laws;
-    claim.worn  = increment.before.memory().worn;
+    claim.worn  = increment.before.memory().wear.receded();
     claim.t     = increment.record.time;
     claim.whole = increment.record.report.substeps <= 1;
     // The holonomic law, of all slip since the start, exists on load paths
@@ -408,17 +419,18 @@ namespace conetact::analysis
           {
             const auto k = static_cast<Eigen::Index>(i);
             told.v[model.points[i].normal()] +=
-              increment.after.memory().worn[k] -
-              increment.before.memory().worn[k];
+              increment.after.memory().wear.worn()[k] -
+              increment.before.memory().wear.worn()[k];
           }
-    told.r      = finding.r.head(told.r.size());
-    record.rows = contact_rows.rows(told,
+    told.r              = finding.r.head(told.r.size());
+    record.rows         = contact_rows.rows(told,
                                     increment.contact,
                                     finding.r.tail(increment.bound.r.size()),
                                     finding.u,
                                     record.time,
                                     record.report.substeps <= 1,
                                     kept);
+    record.worn_masters = worn_masters(increment.after.memory().wear);
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),
@@ -427,7 +439,7 @@ namespace conetact::analysis
       warnings.are_forces_determinate(
         states_by_motion(model.points,
                          increment.state,
-                         increment.before.memory().worn,
+                         increment.before.memory().wear.receded(),
                          finding,
                          record.time),
         increment.state.r);

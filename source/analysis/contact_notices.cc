@@ -87,6 +87,7 @@ namespace conetact::analysis
     , contacts(s.sliding_contacts())
     , has_closed(scene.contact_names.size(), false)
     , least_gaps(scene.contact_names.size(), 0.)
+    , ways_of_wear(scene)
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
@@ -219,8 +220,6 @@ namespace conetact::analysis
         if (rows[i].gap <= rounding * points[i].node->spacing ||
             rows[i].bonded || rows[i].reaction[0] < 0)
           has_closed[c] = true; // with or without force
-        if (rows[i].wear_opposite > 0)
-          see_way_of_wear(*points[i].node, rows[i]);
         if (rows[i].reaction[0] <= rounding * largest[c])
           continue;
         has_closed[c]           = true;
@@ -233,6 +232,7 @@ namespace conetact::analysis
         closed[c].pressures[node.node] =
           rows[i].reaction[0] / (rows[i].area > 0 ? rows[i].area : 1.);
       }
+    ways_of_wear.see(model.points, rows);
     of_facets.clear();
     sentences.clear();
     for (unsigned int c = 0; c < closed.size(); ++c)
@@ -242,30 +242,6 @@ namespace conetact::analysis
           judge_lonely(c, closed[c]);
           judge_thin(c, closed[c]);
         }
-  }
-
-  void
-  ContactNotices::see_way_of_wear(const ContactNode       &node,
-                                  const model::ContactRow &row)
-  {
-    constexpr double many = 2; // cells, along the other side
-    const double     way  = std::hypot(row.u[1], row.u[2]);
-    if (way > many * node.spacing)
-      ways_of_wear[row.contact] = std::max(ways_of_wear[row.contact], way);
-  }
-
-  void
-  ContactNotices::say_ways_of_wear(Log &log) const
-  {
-    for (const auto &[c, way] : ways_of_wear)
-      log.say(
-        "warning: contact '" + contacts.contact(c).name +
-        "': what wears off the other side stays with the nodes of body '" +
-        scene.bodies.names[contacts.contact(c).body] +
-        "', which have slid along it by " + to_text(way) +
-        ", several cells: depths and pressures are right where slips are "
-        "short, as in fretting, not here. Where one side loses all, name "
-        "it as Body, and set Wear share = 1.");
   }
 
   std::string
@@ -410,7 +386,7 @@ namespace conetact::analysis
     for (const auto &[contact, sentence] : sentences)
       all.push_back(sentence);
     warn(all, log);
-    say_ways_of_wear(log);
+    ways_of_wear.say(log);
     if (is_whole)
       say_never_closed(log);
   }

@@ -40,7 +40,11 @@ namespace conetact::analysis
     , backend(&with_backend(scene, model, log))
     , history(model)
     , acceptance(scene, model, l)
-  {}
+  {
+    history.wear().set_sides(
+      std::make_shared<const contact::WornSides>(scene.contacts,
+                                                 scene.bodies.structures));
+  }
 
   double
   RunContext::begin(const unsigned int k) const

@@ -25,7 +25,7 @@ namespace conetact::analysis
     const std::string held_name   = "stages/held";
 
     /** What laws of contact remember of a node. */
-    constexpr std::array<const char *, 10> memory = {{"contact/slipped",
+    constexpr std::array<const char *, 11> memory = {{"contact/slipped",
                                                       "contact/worn",
                                                       "contact/packed",
                                                       "contact/broken",
@@ -34,9 +34,10 @@ namespace conetact::analysis
                                                       "wear/error",
                                                       "wear/depth",
                                                       "contact/shorn",
-                                                      "contact/removed"}};
-    constexpr std::size_t slipped = 0, worn = 1, broken = 3, parted = 4,
-                          opened = 5, shorn = 8;
+                                                      "contact/removed",
+                                                      "contact/receded"}};
+    constexpr std::size_t slipped = 0, broken = 3, parted = 4, opened = 5,
+                          shorn = 8, receded = 10;
     using Remembered = std::array<double, memory.size()>;
 
     /** Work against a bond that softens while a support parts it, up to this
@@ -311,7 +312,7 @@ namespace conetact::analysis
         if (of_node[opened] == pairing::never_closed)
           return of_node;
         const double gap =
-          std::max(0., point.node->gap + of_node[worn] + u[point.normal()]);
+          std::max(0., point.node->gap + of_node[receded] + u[point.normal()]);
         of_node[broken] += work_of_parting(*point.node, of_node, gap, t);
         of_node[parted] = gap;
         of_node[opened] = std::max(of_node[opened], gap);
@@ -384,7 +385,8 @@ namespace conetact::analysis
     for (const pairing::ContactNode &node : nodes)
       {
         const auto found = remembered.find(key_of(node));
-        depths.push_back(found == remembered.end() ? 0. : found->second[worn]);
+        depths.push_back(found == remembered.end() ? 0. :
+                                                     found->second[receded]);
       }
     return depths;
   }

@@ -53,15 +53,17 @@ namespace conetact::analysis
     if (history && !contacts_change)
       before = *history;
     else
-      before.wear_by(error.difference());
+      before.wear().add_difference(error.difference(),
+                                   error.difference_of_sides(),
+                                   run.model.points);
     history = after_half(before, increment);
     if (history)
       {
-        before.wear_by(history->memory().worn - before.memory().worn);
+        before.wear().take(history->memory().wear, run.model.points);
         history = after_half(std::move(before), increment);
       }
     if (history)
-      error.set(increment.after.memory().worn, history->memory().worn);
+      error.set(increment.after.memory().wear, history->memory().wear);
     else
       error.miss();
   }

@@ -51,12 +51,13 @@ namespace conetact::analysis
   }
 
   void
-  WearError::set(const VectorXd &sum, const VectorXd &by_halves)
+  WearError::set(const contact::Wear &sum, const contact::Wear &by_halves)
   {
-    AssertDimension(sum.size(), error.size());
-    AssertDimension(by_halves.size(), error.size());
-    depth = sum;
-    error = by_halves - sum;
+    AssertDimension(sum.worn().size(), error.size());
+    AssertDimension(by_halves.worn().size(), error.size());
+    depth          = sum.worn();
+    error          = by_halves.worn() - depth;
+    error_of_sides = by_halves.of_sides() - sum.of_sides();
   }
 
   void
@@ -109,6 +110,7 @@ namespace conetact::analysis
       return;
     archive.put("wear/error", error);
     archive.put("wear/depth", depth);
+    archive.put("wear/error of sides", error_of_sides);
     archive.put("wear/missed", static_cast<double>(n_missed));
   }
 
@@ -119,6 +121,7 @@ namespace conetact::analysis
       return;
     archive.fill("wear/error", error);
     archive.fill("wear/depth", depth);
+    archive.fill_any("wear/error of sides", error_of_sides);
     double missed = 0;
     archive.fill("wear/missed", missed);
     n_missed = static_cast<unsigned int>(missed);

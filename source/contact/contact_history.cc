@@ -20,8 +20,6 @@ namespace conetact::contact
     constexpr std::pair<const char *, Eigen::VectorXd LawMemory::*>
       numbers_of_memory[] = {{"contact/slipped", &LawMemory::slipped},
                              {"contact/shorn", &LawMemory::shorn},
-                             {"contact/worn", &LawMemory::worn},
-                             {"contact/removed", &LawMemory::removed},
                              {"contact/packed", &LawMemory::packed},
                              {"contact/opened", &LawMemory::opened},
                              {"contact/parted", &LawMemory::parted},
@@ -64,6 +62,7 @@ namespace conetact::contact
     forget_motions();
     for (const auto &[name, number] : numbers_of_memory)
       laws_know.*number = Eigen::VectorXd::Zero(initial_gap.size());
+    laws_know.wear          = Wear(initial_gap.size());
     constexpr double closed = 1e-6; // of an edge
     Eigen::Index     i      = 0;
     for (const ContactPoint &point : model->points)
@@ -84,14 +83,15 @@ namespace conetact::contact
   {
     AssertDimension(load.offset.size(), q.size());
     using conetact::solvers::largest;
-    const solvers::ContactSystem &layout = model->points.layout();
+    const solvers::ContactSystem &layout  = model->points.layout();
+    const Eigen::VectorXd        &receded = laws_know.wear.receded();
     // The law counts the slip from the start of the increment, and the gap from
     // zero: v = H u + o + shift.
     Eigen::VectorXd sum = load.offset - q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       {
         const Eigen::Index k = layout.normal(i);
-        sum[k] = load.offset[k] + (initial_gap[i] + laws_know.worn[i]);
+        sum[k]               = load.offset[k] + (initial_gap[i] + receded[i]);
       }
     Eigen::VectorXd moving = load.offset;
     double          moved  = largest(load.placement) + largest(load.prescribed);
@@ -119,7 +119,7 @@ namespace conetact::contact
   ContactHistory::gaps() const
   {
     const solvers::ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd               gap    = initial_gap + laws_know.worn;
+    Eigen::VectorXd               gap = initial_gap + laws_know.wear.receded();
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
@@ -138,6 +138,7 @@ namespace conetact::contact
     Eigen::Index i = 0;
     for (const ContactPoint &point : model->points)
       initial_gap[i++] = point.node->gap;
+    laws_know.wear.stand(model->points);
     if (u.size() > 0)
       q = model->relative_displacements(u, t);
     // Frames have taken the free motions so far.
@@ -160,6 +161,7 @@ namespace conetact::contact
     archive.put("contact/largest", largest);
     for (const auto &[name, number] : numbers_of_memory)
       archive.put(name, laws_know.*number);
+    laws_know.wear.save(archive);
     archive.put("contact/time", time);
     archive.put("contact/gap", initial_gap);
     archive.put("contact/directions", directions_of(model->points));
@@ -189,6 +191,7 @@ namespace conetact::contact
     archive.fill("contact/largest", largest);
     for (const auto &[name, number] : numbers_of_memory)
       archive.fill(name, laws_know.*number);
+    laws_know.wear.restore(archive, model->points);
     archive.fill("contact/time", time);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -306,7 +309,7 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
       q[layout.normal(i)] =
-        end.v[layout.normal(i)] - initial_gap[i] - laws_know.worn[i];
+        end.v[layout.normal(i)] - initial_gap[i] - laws_know.wear.receded()[i];
     r = end.r.head(n);
     model->elasticity().states().end(end, elastic);
     states = end.node;
@@ -316,9 +319,7 @@ namespace conetact::contact
         laws_know.slipped += laws->slips(end);
         laws_know.shorn += laws->shears(end);
         // Both are of this increment: what wears is a slip times a pressure.
-        const Eigen::VectorXd depths = laws->wear(end);
-        laws_know.worn += depths;
-        laws_know.removed += depths.cwiseProduct(laws->areas());
+        laws_know.wear.add(model->points, laws->wear(end), laws->areas());
         laws_know.packed = laws_know.packed.cwiseMax(laws->pressures(end));
       }
     if (laws != nullptr && laws->has_bonds())

@@ -167,7 +167,7 @@ namespace conetact::contact
         if (i < points.size())
           {
             set_candidate(i, state, q, other, row);
-            if (kept.worn.size() > 0)
+            if (kept.wear != nullptr)
               set_kept(i, kept, row);
           }
         else
@@ -195,7 +195,7 @@ namespace conetact::contact
     last   = rows;
     last_u = u;
     last_t = t;
-    append_masters(rows);
+    append_masters(rows, kept.wear);
     return rows;
   }
 
@@ -285,14 +285,13 @@ namespace conetact::contact
                         const KeptByLaws  &kept,
                         model::ContactRow &row) const
   {
-    AssertIndexRange(i, static_cast<std::size_t>(kept.worn.size()));
-    AssertDimension(kept.fracture.size(), kept.worn.size());
+    AssertIndexRange(i, static_cast<std::size_t>(kept.wear->worn().size()));
+    AssertDimension(kept.fracture.size(), kept.wear->worn().size());
     const auto  &layer = model.points[i].node->layer;
     const auto   k     = static_cast<Eigen::Index>(i);
     const double share = layer ? layer->share_of_slave() : 0.;
-    row.wear           = share * kept.worn[k];
-    row.wear_opposite  = (1 - share) * kept.worn[k];
-    row.removed        = kept.removed[k];
+    row.wear           = share * kept.wear->worn()[k];
+    row.removed        = kept.wear->removed()[k];
     row.fracture       = kept.fracture[k];
   }
 
@@ -363,7 +362,6 @@ namespace conetact::contact
         reaction -= weight * slave.in_space(slave.reaction);
         pressing -= share * slave.in_space(slave.reaction);
         row.covered += share * slave.area;
-        row.wear += share * slave.area * slave.wear_opposite;
       }
 
       model::ContactRow
@@ -388,8 +386,6 @@ namespace conetact::contact
         row.du       = in_row(means.du / means.weight);
         row.reaction = in_row(reaction);
         row.pressing = in_row(pressing);
-        if (row.covered > 0)
-          row.wear /= row.covered;
         return row;
       }
     };
@@ -397,9 +393,10 @@ namespace conetact::contact
 
   /* A row for each master node: its reaction and area are the sums of what its
      slaves hand on, by the weights w of their rows; its gap and displacements
-     are means over |w|. */
+     are means over |w|. Its depth of wear is its own. */
   void
-  ContactRows::append_masters(std::vector<model::ContactRow> &rows) const
+  ContactRows::append_masters(std::vector<model::ContactRow> &rows,
+                              const Wear *const               wear) const
   {
     AssertDimension(rows.size(), last.size());
     // Keys are contact and node: a master of two contacts has a row in each.
@@ -423,6 +420,9 @@ namespace conetact::contact
       {
         sum.row.contact = master_side[key.first];
         sum.row.master  = true;
+        if (wear != nullptr && wear->sides() != nullptr)
+          sum.row.wear =
+            wear->sides()->depth(key.first, key.second, wear->of_sides());
         sum.row.foot = sum.row.acts = sum.row.position;
         rows.push_back(sum.finished(model.bodies.dim));
       }

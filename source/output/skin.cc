@@ -78,6 +78,12 @@ namespace conetact::output
       for (const model::ContactRow &row : record.rows)
         if (run.contact_bodies.at(row.contact) == body)
           nodes[row.node].add(row);
+      for (const model::WornNode &worn : record.worn_masters)
+        if (worn.body == body)
+          {
+            double &depth = nodes[worn.node].wear;
+            depth         = std::max(depth, worn.depth);
+          }
       return nodes;
     }
 

@@ -210,7 +210,8 @@ namespace conetact::pairing
                       "1",
                       Anything(),
                       "Part of the depth that Body loses; the other side "
-                      "loses the rest. 0 to 1. [-]");
+                      "loses the rest, a master body at its own nodes. 0 to "
+                      "1. [-]");
     prm.declare_entry("Wear acceleration",
                       "1",
                       Anything(),

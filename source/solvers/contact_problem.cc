@@ -67,6 +67,27 @@ namespace conetact::solvers
                 state.r.tail(k).cwiseAbs());
     }
 
+    /** What a layer closes by is taken from a displacement of its size: of
+     * stiff bodies on a soft layer its rounding alone would be a force. */
+    VectorXd
+    rounding_of_layers(const ContactProblem &problem, const ContactState &state)
+    {
+      const ContactSystem &system = *problem.system;
+      VectorXd             result = VectorXd::Zero(system.n_contact_unknowns());
+      for (Index i = 0; problem.has_layers() && i < system.n_nodes(); ++i)
+        {
+          const Index first = system.first[i], n = system.normal(i);
+          const Layer layer =
+            problem.laws->layer(i,
+                                state.r(n),
+                                state.v.segment(first, n - first).norm());
+          result(n) = position_rounding * std::abs(layer.closing);
+          for (Index k = first; k < n; ++k)
+            result(k) = position_rounding * layer.shear * std::abs(state.r(k));
+        }
+      return result;
+    }
+
     /** Displacements among the data, entry by entry as far as known. */
     VectorXd
     displacements_given(const ContactProblem &problem)
@@ -216,7 +237,8 @@ namespace conetact::solvers
       const Index          n      = system.n_contact_unknowns();
       const VectorXd       closest =
         without_rounding(seen_by_law(problem, state.v.head(n), state.r.head(n)),
-                         velocity_rounding(problem, state));
+                         velocity_rounding(problem, state) +
+                           rounding_of_layers(problem, state));
       VectorXd result(system.n_unknowns());
       result.tail(system.n_motions) = state.v.tail(system.n_motions);
       for (Index i = 0; i < system.n_nodes(); ++i)

@@ -276,7 +276,7 @@ namespace conetact::solvers
         const double limit =
           limit_at(relation, i, std::max(z(nt), 0.), seen.v).value;
         if (limit > 0 && z.head(nt).norm() <= limit &&
-            is_dragged(relation, i, seen.v, least_slip))
+            is_dragged(relation, i, seen.v, least_slip * relation.step(i)))
           {
             set.weight = weight_of_slip(seen, limit);
             z.head(nt) =
@@ -380,9 +380,13 @@ namespace conetact::solvers
     eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
-    const Index          n   = system.n_contact_unknowns();
-    double               sum = x.v.tail(system.n_motions).squaredNorm();
-    const VectorXd v = without_rounding(x.v.head(n), relation.rounding(p));
+    const Index          n       = system.n_contact_unknowns();
+    double               sum     = x.v.tail(system.n_motions).squaredNorm();
+    VectorXd             allowed = relation.rounding(p); // of v, not of step v
+    for (Index i = 0; relation.has_layers() && i < system.n_nodes(); ++i)
+      allowed.segment(system.first[i], system.n_tangents(i) + 1) *=
+        relation.step(i);
+    const VectorXd v = without_rounding(x.v.head(n), allowed);
     if (relation.stiffness())
       sum = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)

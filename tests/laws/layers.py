@@ -232,8 +232,8 @@ def together(laws):
 
 
 def worn_far(laws):
-    """A slider on a long track: the volume is k times the work of normal forces on ways, whatever has been left behind; what the other
-    side loses stays with nodes of Body, which is told."""
+    """A slider on a long track: the volume is k times the work of normal forces on ways, whatever has been left behind. An obstacle
+    keeps no depth: what it loses stays with nodes of Body, which is told."""
     k = 1e-5
     for body, other, ids, share in (("slider", "track", (2, 3), .5), ("track", "slider", (3, 2), .5), ("track", "slider", (3, 2), 1)):
         run = laws.run({"Dimension": 2, "Body slider": box((6, 2), (2.0, 1.0), poisson=0), "Body track": box((36, 2), (9.0, 1.0), (-1.0, -1.0), poisson=0),
@@ -246,10 +246,48 @@ def worn_far(laws):
         volumes = [row["face_worn"] for row in run.increments]
         laws.check(f"worn far, {body} as Body, share {share}: volume over k r_n |du|", abs(volumes[-1] / (k * work) - 1), 1e-12)
         laws.demand("  it never falls", all(a <= b for a, b in zip(volumes, volumes[1:])))
-        laws.demand("  what stays with Body is told", ("stays with the nodes" in log_of(run)) == (share < 1))
+        laws.demand("  no warning of wear", "stays with the nodes" not in log_of(run) and "loses goes up" not in log_of(run))
+    for share in (.5, 1):
+        run = laws.run(drawn(2, k, **{"Wear share": share}))
+        laws.demand(f"an obstacle, share {share}: what stays with Body is told", ("stays with the nodes" in log_of(run)) == (share < 1))
+
+
+def stiff(laws):
+    """A block that is all but rigid on a soft layer: closing = C p + h with h += k p s, the layer bears shear up to mu p, and a bond more."""
+    C, shear, k, mu, closing = 2e-4, 2e-4, 1e-3, .3, .01
+    for dim in (2, 3):
+        for young in (1e9, 2e11):
+            scene = press_and_shear(dim, mu=mu, increments=8, young=young)
+            scene["Contact bottom"].update({"Compliance": C, "Shear compliance": shear, "Wear coefficient": k, "Wear integration": "implicit"})
+            run = laws.run(scene)
+            way = .004 * math.hypot(1, .3 if dim == 3 else 0)
+            p, traction, depth, worst = 0.0, 0.0, 0.0, 0.0
+            for i in range(8):
+                step = way if i > 0 else 0.0
+                p, traction, slip = (closing - depth) / C, traction + step / shear, 0.0
+                if traction > mu * p:
+                    before = traction - step / shear
+                    b = C + k * (step + shear * before)
+                    p = 2 * (closing - depth) / (b + math.sqrt(b * b - 4 * k * shear * mu * (closing - depth)))
+                    traction = mu * p
+                    slip = step - shear * (traction - before)
+                depth += k * p * slip
+                rows = [row for row in run.rows if row["increment"] == i + 1]
+                worst = max(worst, *(abs(row["pressure"] / p - 1) for row in rows),
+                            *(abs(math.hypot(row["traction_t1"], row["traction_t2"]) - traction) / p for row in rows),
+                            *(abs(row["wear"] - depth) / closing for row in rows))
+            laws.check(f"{dim}D, E = {young:g}, implicit wear and shear of a layer", worst, 1e-4 if young < 1e10 else 1e-6)
+            laws.demand("  no increment is cut", all(row["substeps"] == 1 for row in run.increments))
+            scene = press_and_shear(dim, mu=mu, increments=8, young=young, poisson=.3 if dim == 2 else 0.0)
+            scene["Contact bottom"].update({"Compliance": "table(p; 0 : 3e-4; 50 : 2e-4)", "Cohesion": .5, "Tensile strength": .5})
+            run = laws.run(scene)
+            worst = max(abs(row["pressure"] / 50 - 1) for row in run.rows)
+            sliding = [math.hypot(row["traction_t1"], row["traction_t2"]) for row in run.last()]
+            laws.check("  a bond beside a table", max(worst, *(abs(traction / (mu * 50 + .5) - 1) for traction in sliding)), 1e-4 if young < 1e10 else 1e-6)
 
 
 def layers(laws):
+    stiff(laws)
     stages(laws)
     together(laws)
     fretting(laws)

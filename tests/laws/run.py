@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings,  # noqa: E402
+from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, grooves, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings,  # noqa: E402
                   round_pairs, sliding, spreading, stages,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
@@ -44,7 +44,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent,
             "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins, "quadratic-vees": quadratic_round.vees, "quadratic-units": quadratic_round.implicit_units,
             "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic,
-            "varying-friction": varying_friction.varying_friction, "ellipses": ellipses.ellipses, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn, "worn-half-planes": worn.half_planes, "worn-off": worn.worn_off, "worn-faster": worn.faster,
+            "varying-friction": varying_friction.varying_friction, "ellipses": ellipses.ellipses, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn, "worn-half-planes": worn.half_planes, "worn-off": worn.worn_off, "worn-faster": worn.faster, "grooves": grooves.grooves,
             "uniqueness": uniqueness.uniqueness}
 
 if __name__ == "__main__":

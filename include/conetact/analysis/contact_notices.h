@@ -4,6 +4,7 @@
 #ifndef conetact_analysis_contact_notices_h
 #define conetact_analysis_contact_notices_h
 
+#include "conetact/analysis/ways_of_wear.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_model.h"
@@ -81,12 +82,6 @@ namespace conetact::analysis
     is_curved(const unsigned int contact) const;
     void
     say_never_closed(Log &log) const;
-    void
-    see_way_of_wear(const pairing::ContactNode &node,
-                    const model::ContactRow    &row);
-    /** Depths of the other side do not stay where they are made. */
-    void
-    say_ways_of_wear(Log &log) const;
 
     const application::Scene           &scene;
     const contact::ContactModel        &model;
@@ -97,8 +92,8 @@ namespace conetact::analysis
     /** Nodes of these that could press, or gave that to others. */
     std::map<unsigned int, std::set<unsigned int>> could_press;
     std::vector<bool>                              second_degree, has_closed;
-    std::vector<double>                 least_gaps;   ///< of the last increment
-    std::map<unsigned int, double>      ways_of_wear; ///< by contact [length]
+    std::vector<double>                 least_gaps; ///< of the last increment
+    WaysOfWear                          ways_of_wear;
     std::set<unsigned int>              of_facets;
     std::map<unsigned int, std::string> sentences; ///< of these contacts
   };

@@ -6,7 +6,7 @@
 
 #include "conetact/base/archive.h"
 #include "conetact/base/log.h"
-#include "conetact/contact/contact_points.h"
+#include "conetact/contact/wear.h"
 
 #include <string>
 #include <vector>
@@ -30,15 +30,20 @@ namespace conetact::analysis
     {
       return !accelerated.empty();
     }
-    /** Depths of wear of all candidates so far, of the run and where each
-     * increment has happened twice after half of its wear [length]. */
+    /** What has worn so far, in the run and where each increment has happened
+     * twice after half of its wear. */
     void
-    set(const Eigen::VectorXd &sum, const Eigen::VectorXd &by_halves);
-    /** What the latter have worn more. */
+    set(const contact::Wear &sum, const contact::Wear &by_halves);
+    /** What the latter has lost more: of candidates, and of masters. */
     const Eigen::VectorXd &
     difference() const
     {
       return error;
+    }
+    const Eigen::VectorXd &
+    difference_of_sides() const
+    {
+      return error_of_sides;
     }
     /** An increment that has no estimate. */
     void
@@ -61,7 +66,7 @@ namespace conetact::analysis
 
     const contact::ContactPoints &points;
     std::vector<unsigned int>     accelerated; ///< contacts
-    Eigen::VectorXd               error, depth;
+    Eigen::VectorXd               error, depth, error_of_sides;
     unsigned int                  n_missed = 0;
   };
 } // namespace conetact::analysis

@@ -7,6 +7,7 @@
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/increment_laws.h"
+#include "conetact/contact/wear.h"
 
 #include <functional>
 #include <memory>
@@ -19,14 +20,13 @@ namespace conetact::contact
   {
     Eigen::VectorXd slipped; ///< way so far, in contact [length]
     Eigen::VectorXd shorn;   ///< that of bonds, in contact or not [length]
-    Eigen::VectorXd worn;    ///< depth so far, which opens its gap [length]
-    Eigen::VectorXd removed; ///< volume so far: area changes [length^3]
     Eigen::VectorXd packed;  ///< largest pressure so far [stress]
     /** Largest opening of a bonded node so far, never_closed of what was open
      * at the start [length]. */
     Eigen::VectorXd opened;
     Eigen::VectorXd parted; ///< its opening now [length]
     Eigen::VectorXd broken; ///< work against its bond so far [force x length]
+    Wear            wear;   ///< what both sides have lost, which opens gaps
   };
 
   /**
@@ -154,11 +154,10 @@ namespace conetact::contact
     {
       return laws_know;
     }
-    /** Its nodes have lost so much more, which opens their gaps. */
-    void
-    wear_by(const Eigen::VectorXd &depths)
+    Wear &
+    wear()
     {
-      laws_know.worn += depths;
+      return laws_know.wear;
     }
     /** Largest reaction or load so far [force]. */
     double

@@ -7,6 +7,7 @@
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/shared_vector.h"
+#include "conetact/contact/wear.h"
 #include "conetact/model/increment_record.h"
 
 #include <vector>
@@ -16,11 +17,10 @@ namespace conetact::contact
   /** What laws of contact nodes have kept of all candidates; or nothing. */
   struct KeptByLaws
   {
-    Eigen::VectorXd   worn;     ///< depths [length]
-    Eigen::VectorXd   removed;  ///< volumes [length^3]
-    Eigen::VectorXd   fracture; ///< work against bonds [force x length]
-    std::vector<bool> whole;    ///< bonds
-    std::vector<bool> wet;      ///< what a fluid has reached
+    const Wear       *wear = nullptr; ///< which outlives this; null: nothing
+    Eigen::VectorXd   fracture;       ///< work against bonds [force x length]
+    std::vector<bool> whole;          ///< bonds
+    std::vector<bool> wet;            ///< what a fluid has reached
   };
 
   /**
@@ -93,7 +93,8 @@ namespace conetact::contact
               const Tensor<1, 3> &other,
               model::ContactRow  &row);
     void
-    append_masters(std::vector<model::ContactRow> &rows) const;
+    append_masters(std::vector<model::ContactRow> &rows,
+                   const Wear                     *wear = nullptr) const;
 
     const ContactModel            &model;
     std::vector<unsigned int>      master_side;  ///< of each contact

@@ -30,13 +30,12 @@ namespace conetact::model
     Tensor<1, 3>       reaction; ///< (r_n, r_t1, r_t2) on the body [force]
     Point<3>           foot;     ///< where it acts on the other side [length]
     Point<3>           acts;     ///< where it acts on the body [length]
-    solvers::NodeState state  = solvers::NodeState::open;
-    bool               master = false; ///< the other side of a pair of bodies
-    double             wear   = 0;     ///< depth that this side has lost
-    double             wear_opposite = 0; ///< and the other one [length]
-    double             removed       = 0; ///< volume of both so far [length^3]
-    bool               bonded        = false; ///< sticks, and would bear a pull
-    bool               wet           = false; ///< a fluid is between its sides
+    solvers::NodeState state    = solvers::NodeState::open;
+    bool               master   = false; ///< the other side of a pair of bodies
+    double             wear     = 0; ///< depth that this side has lost [length]
+    double             removed  = 0; ///< volume of both so far [length^3]
+    bool               bonded   = false; ///< sticks, and would bear a pull
+    bool               wet      = false; ///< a fluid is between its sides
     double             fracture = 0; ///< work against its bond [force x length]
 
     /** Of a master: reactions and areas that add up without the signs of their
@@ -95,6 +94,13 @@ namespace conetact::model
     Point<3>     position; ///< undeformed
   };
 
+  /** A node of a master that wears, whether or not anything stands there. */
+  struct WornNode
+  {
+    unsigned int body = 0, node = 0;
+    double       depth = 0; ///< [length]
+  };
+
   /** Of a tie that a force tightens. */
   struct PreloadRecord
   {
@@ -133,6 +139,7 @@ namespace conetact::model
     std::vector<double> body_balance;
 
     std::vector<ContactRow> rows;
+    std::vector<WornNode>   worn_masters;
     std::vector<Resultant>  contacts; ///< one a contact
     Resultant               supports;
     Resultant               loads;

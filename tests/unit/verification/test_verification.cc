@@ -67,7 +67,7 @@ namespace
           history.advance(state, t, load.laws.get());
           Claim claim;
           claim.laws = load.laws;
-          claim.worn = before.memory().worn;
+          claim.worn = before.memory().wear.receded();
           if (load.laws)
             model.points.set_friction(load.laws->coefficients(state));
           claim.amounts = model.amounts(load.placement, history.free_motions());
