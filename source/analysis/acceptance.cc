@@ -4,6 +4,7 @@
 #include "conetact/analysis/acceptance.h"
 
 #include "conetact/base/text.h"
+#include "conetact/contact/free_motions.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -239,6 +240,17 @@ namespace conetact::analysis
       model.motions.field(amounts(increment)) + w);
   }
 
+  /* What is judged by the size of motions is so whichever way the Elasticity
+     has parted them from deformations. */
+  std::pair<Eigen::VectorXd, Eigen::VectorXd>
+  Acceptance::motions_and_deformation(const PendingIncrement &increment,
+                                      const Eigen::VectorXd  &w) const
+  {
+    const Eigen::VectorXd own   = amounts(increment);
+    Eigen::VectorXd       moved = contact::motions_with(model.motions, own, w);
+    return {moved, w - model.motions.field(moved - own)};
+  }
+
   std::string
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
@@ -368,8 +380,9 @@ namespace conetact::analysis
                        const Eigen::VectorXd       &w,
                        const contact::KeptByLaws   &kept)
   {
+    const auto [moved, deformed] = motions_and_deformation(increment, w);
     if (const std::string why =
-          leave_small({increment, finding, w, amounts(increment)});
+          leave_small({increment, finding, deformed, moved});
         !why.empty())
       return why;
     if (const std::string why = wrong_at_supports(increment, finding);
@@ -443,7 +456,8 @@ namespace conetact::analysis
                          finding,
                          record.time),
         increment.state.r);
-    warnings.check_size(amounts(increment), w);
+    const auto [moved, deformed] = motions_and_deformation(increment, w);
+    warnings.check_size(moved, deformed);
     records.observe(record, *finding.u);
     if (drawn)
       records.add_displacements(record, *finding.u, w);

@@ -52,7 +52,75 @@ namespace conetact::analysis
       return !scene.restart && scene.stages.ends(scene.times).size() < 2 &&
              application::may_follow_path(scene, scene);
     }
+
+    /**
+     * Of each body, whether nothing acts on it: neither loads nor supports that
+     * strain it, nor contacts. What is bound may act.
+     */
+    std::vector<bool>
+    are_idle(const PendingIncrement      &increment,
+             const contact::ContactModel &model)
+    {
+      const model::Bodies &bodies = model.bodies;
+      std::vector<bool>    idle(bodies.structures.size(), true);
+      const auto acts = [&](const Eigen::VectorXd &x, const unsigned int body) {
+        const Eigen::Index first = model.coordinates.offset(body);
+        const Eigen::Index n     = model.coordinates.offset(body + 1) - first;
+        return x.size() > 0 && !x.segment(first, n).isZero(0);
+      };
+      for (unsigned int body = 0; body < idle.size(); ++body)
+        idle[body] = !acts(*increment.forces, body) &&
+                     !acts(increment.load.prescribed, body);
+      // What may move by itself has a place, not only a deformation.
+      const Eigen::MatrixXd &free = model.motions.free();
+      const Eigen::Index     n_one =
+        free.rows() / static_cast<Eigen::Index>(idle.size());
+      for (unsigned int body = 0; body < idle.size(); ++body)
+        if (!free.middleRows(body * n_one, n_one).isZero(0))
+          idle[body] = false;
+      // Foundations act as far as bodies move.
+      for (const bodies::Support &support : bodies.supports)
+        if (support.stiffness)
+          idle[support.body] = false;
+      for (std::size_t i = 0; i < model.points.all().size(); ++i)
+        {
+          const contact::ContactPoint &point = model.points.all()[i];
+          const pairing::ContactNode  &node  = *point.node;
+          const auto n = static_cast<Eigen::Index>(point.dual.size());
+          if (i < model.points.size() && !node.opening &&
+              increment.end.r.segment(point.first, n).isZero(0))
+            continue;
+          idle[node.body] = false;
+          if (!node.masters.empty())
+            idle[node.master] = false;
+        }
+      return idle;
+    }
   } // namespace
+
+  void
+  rest_idle_bodies(PendingIncrement &increment, contact::ContactModel &model)
+  {
+    const contact::Elasticity &elastic = model.elasticity();
+    if (!elastic.system()->large || increment.end.v.size() == 0)
+      return;
+    const std::vector<bool> idle = are_idle(increment, model);
+    if (std::find(idle.begin(), idle.end(), true) == idle.end())
+      return;
+    solvers::ContactState &end = increment.end;
+    Eigen::VectorXd        w   = elastic.states().deformation(end.u);
+    for (unsigned int body = 0; body < idle.size(); ++body)
+      if (!idle[body])
+        {
+          const Eigen::Index first = model.coordinates.offset(body);
+          w.segment(first, model.coordinates.offset(body + 1) - first)
+            .setZero();
+        }
+    const Eigen::VectorXd less =
+      elastic.states().nearby(w, Eigen::VectorXd::Zero(model.motions.n_free()));
+    end.u -= less;
+    end.v -= less.tail(end.v.size());
+  }
 
   EquilibriumCheck::EquilibriumCheck(RunContext &r, const bool change)
     : run(r)

@@ -259,6 +259,7 @@ namespace conetact::analysis
   IncrementSolver::take_result(PendingIncrement              &increment,
                                const solvers::ContactProblem &problem)
   {
+    rest_idle_bodies(increment, run.model);
     solvers::ContactState &state = increment.end;
     if (problem.system->form == solvers::Form::stiffness &&
         !problem.system->large) // which has it

@@ -162,4 +162,34 @@ namespace conetact::contact
           m.spring_forces * amounts.segment(m.first, m.R.cols());
     return forces;
   }
+
+  /* A body by itself, as if nothing joined it: its own motions that are nearest
+     to w. */
+  RigidMotions::Amounts
+  motions_with(const RigidMotions    &motions,
+               RigidMotions::Amounts  amounts,
+               const Eigen::VectorXd &w)
+  {
+    const RigidMotions::Amounts products = motions.products(w);
+    const auto                 &body_of  = motions.body_of_own();
+    AssertDimension(amounts.size(), products.size());
+    for (std::size_t first = 0, end = 0; first < body_of.size(); first = end)
+      {
+        const unsigned int body = body_of[first];
+        while (end < body_of.size() && body_of[end] == body)
+          ++end;
+        const Eigen::MatrixXd squares = motions.squares(body);
+        const Eigen::Index    n       = squares.rows();
+        const Eigen::MatrixXd own =
+          motions.own().block(body * n,
+                              static_cast<Eigen::Index>(first),
+                              n,
+                              static_cast<Eigen::Index>(end - first));
+        amounts.segment(body * n, n) +=
+          own * (own.transpose() * squares * own)
+                  .ldlt()
+                  .solve(own.transpose() * products.segment(body * n, n));
+      }
+    return amounts;
+  }
 } // namespace conetact::contact

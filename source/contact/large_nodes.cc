@@ -334,17 +334,56 @@ namespace conetact::contact
 
 
 
+  namespace
+  {
+    using FurtherRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    /**
+     * Stiffnesses of rows: those of springs, whose law has one. Much more than
+     * what is around a spring would take the digits of all else there.
+     */
+    VectorXd
+    stiffness_of_rows(const ElasticSystem             &elastic,
+                      const ContactPoints             &points,
+                      const std::vector<Eigen::Index> &further,
+                      const FurtherRows               &rows)
+    {
+      constexpr double much = 1e3;
+      VectorXd         all  = VectorXd::Zero(rows.rows()), diagonal;
+      Eigen::Index     row  = 0;
+      for (const Eigen::Index i : further)
+        for (std::size_t k = 0; k < points[i].dual.size(); ++k, ++row)
+          if (const auto &spring = points[i].node->spring; spring)
+            {
+              if (diagonal.size() == 0)
+                diagonal = diagonal_of(elastic, rows.cols());
+              double sum = 0, squares = 0;
+              for (FurtherRows::InnerIterator e(rows, row); e; ++e)
+                {
+                  const double square = e.value() * e.value();
+                  sum += square * diagonal[e.col()];
+                  squares += square;
+                }
+              const double own = 1 / spring->compliance();
+              all[row] = sum > 0 ? std::min(own, much * sum / squares) : own;
+            }
+      return all;
+    }
+  } // namespace
+
+
+
   /* H of the unknowns is that of all dofs times C of u = C q: entries of a row
      are added up where an unknown comes more than once. */
   std::optional<iterative::FurtherContacts>
-  further_contacts(const model::Bodies &bodies,
+  further_contacts(const ElasticSystem &elastic,
                    const Coordinates   &coordinates,
                    const ContactPoints &points)
   {
     const ContactAxes &axes = coordinates.contact_axes();
     if (axes.further_nodes().empty())
       return {};
-    const auto of_dofs = rows_of_further(bodies, coordinates, points);
+    const auto of_dofs = rows_of_further(elastic.bodies, coordinates, points);
     std::vector<Eigen::Triplet<double>> entries;
     for (int row = 0; row < of_dofs.rows(); ++row)
       for (iterative::FurtherContacts::Rows::InnerIterator e(of_dofs, row); e;
@@ -359,10 +398,56 @@ namespace conetact::contact
     iterative::FurtherContacts::Rows rows(of_dofs.rows(),
                                           coordinates.n_unknowns());
     rows.setFromTriplets(entries.begin(), entries.end());
-    return iterative::FurtherContacts{std::move(rows),
-                                      points.layout(),
-                                      axes.own_nodes(),
-                                      axes.further_nodes()};
+    return iterative::FurtherContacts{
+      std::move(rows),
+      stiffness_of_rows(elastic, points, axes.further_nodes(), of_dofs),
+      points.layout(),
+      axes.own_nodes(),
+      axes.further_nodes()};
+  }
+
+
+
+  iterative::Elements
+  springs_of(const iterative::FurtherContacts &further)
+  {
+    using Eigen::Index;
+    using iterative::FurtherContacts;
+    iterative::Elements elements;
+    const auto          for_each_row = [&further](const auto &visit) {
+      std::vector<Index>  unknowns;
+      std::vector<double> row;
+      for (Index k = 0; k < further.H.rows(); ++k)
+        if (further.S[k] > 0)
+          {
+            unknowns.clear();
+            row.clear();
+            for (FurtherContacts::Rows::InnerIterator entry(further.H, k);
+                 entry;
+                 ++entry)
+              {
+                unknowns.push_back(entry.col());
+                row.push_back(entry.value());
+              }
+            visit(k, unknowns, row);
+          }
+    };
+    elements.for_each = [for_each_row, &further](const auto &visit) {
+      for_each_row([&](const Index                k,
+                       const std::vector<Index>  &unknowns,
+                       const std::vector<double> &row) {
+        const Eigen::Map<const VectorXd> h(row.data(),
+                                           static_cast<Index>(row.size()));
+        const Eigen::MatrixXd matrix = further.S[k] * h * h.transpose();
+        visit(unknowns, matrix.data());
+      });
+    };
+    elements.for_each_connection = [for_each_row](const auto &visit) {
+      for_each_row([&](const Index,
+                       const std::vector<Index> &unknowns,
+                       const std::vector<double> &) { visit(unknowns); });
+    };
+    return elements;
   }
 
 

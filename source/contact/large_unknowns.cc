@@ -123,7 +123,7 @@ namespace conetact::contact
                                const RigidMotions             &m,
                                const iterative::Preconditioner by)
     : coordinates(e.bodies, supports, &p, arm_of_rotations(e))
-    , further(further_contacts(e.bodies, coordinates, p))
+    , further(further_contacts(e, coordinates, p))
     , elastic(e)
     , points(p)
     , motions(m)
@@ -140,11 +140,15 @@ namespace conetact::contact
         for_each_element(elastic, coordinates, visit, nodes.get());
         for (const Eigen::Index pin : pins)
           visit({pin}, &pinned);
+        if (further)
+          springs_of(*further).for_each(visit);
       };
       some.for_each_connection = [&, nodes](const auto &visit) {
         for_each_connection(elastic, coordinates, visit, nodes.get());
         for (const Eigen::Index pin : pins)
           visit({pin});
+        if (further)
+          springs_of(*further).for_each_connection(visit);
       };
       return some;
     };

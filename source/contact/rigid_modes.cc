@@ -247,6 +247,28 @@ namespace conetact::contact
     return resultants(u);
   }
 
+  /* Node by node, as products() of fields would be for each mode. */
+  Eigen::MatrixXd
+  RigidModes::squares(const unsigned int body) const
+  {
+    AssertIndexRange(body, frames.size());
+    const bodies::Structure  &structure = *bodies.structures[body];
+    Eigen::MatrixXd           sum       = Eigen::MatrixXd::Zero(n_one, n_one);
+    std::vector<Tensor<1, 3>> modes(n_one);
+    for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+      {
+        for (unsigned int k = 0; k < n_one; ++k)
+          modes[k] = mode(k, bodies.dim, frames[body], structure.position(i));
+        for (unsigned int k = 0; k < n_one; ++k)
+          for (unsigned int l = 0; l < n_one; ++l)
+            sum(k, l) += modes[k] * modes[l];
+        for (unsigned int c = bodies.dim; c < structure.n_components(); ++c)
+          if (structure.has_dof(i, c))
+            sum(c, c) += 1;
+      }
+    return sum;
+  }
+
   /* The body that moves most, to be named in a sentence. */
   RigidModes::Motion
   RigidModes::largest(const Amounts &modes) const

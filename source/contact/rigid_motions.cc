@@ -365,16 +365,11 @@ namespace conetact::contact
   RigidMotions::multiply_free()
   {
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(held.rows(), held.cols());
-    for (Index k = 0; k < n_one && free_modes.cols() > 0; ++k)
-      {
-        Amounts one = none();
-        for (Index first = 0; first < one.size(); first += n_one)
-          one[first + k] = 1;
-        const Amounts of_one = products(field(one));
-        for (Index first = 0; first < one.size(); first += n_one)
-          gram.col(first + k).segment(first, n_one) =
-            of_one.segment(first, n_one);
-      }
+    for (std::size_t body = 0; body < frames.size(); ++body)
+      if (const Index first = static_cast<Index>(body) * n_one;
+          free_modes.cols() > 0)
+        gram.block(first, first, n_one, n_one) =
+          squares(static_cast<unsigned int>(body));
     // free_in() fits motions to the displacements of all nodes by least
     // squares: here a rigid body counts by its own nodes.
     free_factors.compute(free_modes.transpose() * gram * free_modes);

@@ -101,7 +101,9 @@ namespace conetact::iterative
      *     \end{pmatrix}, @f]
      * whose last row says that what acts on further contacts is r, and whose
      * second one is v = H u times the stiffness k of each node: a force, like
-     * all imbalances, so that one norm measures all of them.
+     * all imbalances, so that one norm measures all of them. The system that is
+     * given has K + H^T S H in place of K: it is solved with reactions
+     * @f$\tilde r = r + S H u@f$.
      */
     class WithFurtherContacts : public solvers::LargeSystem
     {
@@ -111,6 +113,7 @@ namespace conetact::iterative
         : system(std::move(all))
         , contacts(std::move(given))
         , H(contacts.H)
+        , S(contacts.S)
         , n_contact(contacts.layout.n_unknowns())
         , n_elsewhere(H.cols() - n_contact + H.rows())
         , own_unknowns(contacts.unknowns_of(contacts.own))
@@ -159,11 +162,11 @@ namespace conetact::iterative
       Kept
       multiply(const Kept &x) const override
       {
+        const Array there = seen(in(x).u);
         return make(system->add(system->multiply(in(x).u),
                                 -1,
-                                system->keep(
-                                  system->own(H.transpose() * in(x).r))),
-                    stiffness.cwiseProduct(in(x).v - seen(in(x).u)),
+                                of_reactions(in(x).r + S.cwiseProduct(there))),
+                    stiffness.cwiseProduct(in(x).v - there),
                     in(x).r);
       }
       Array
@@ -220,6 +223,12 @@ namespace conetact::iterative
       {
         return H * system->all(system->numbers(u));
       }
+      /** H^T r. */
+      Kept
+      of_reactions(const Array &r) const
+      {
+        return system->keep(system->own(H.transpose() * r));
+      }
       Array
       find_stiffness() const;
       std::vector<NodeLaw>
@@ -229,12 +238,15 @@ namespace conetact::iterative
       answer(const Array &r, const bool is_loaded, Newton &newton) const;
       Array
       law_of(const Newton &newton, const Array &v, const Array &r) const;
+      Array
+      known_reactions(const Newton &newton, const Array &gap) const;
       Kept
       find_reactions(Newton &newton, Array &r) const;
 
       const std::shared_ptr<const LargeSystem> system;
       const FurtherContacts                    contacts;
       const FurtherContacts::Rows             &H;
+      const Array                             &S;
       const Index              n_contact, n_elsewhere; ///< unknowns
       const std::vector<Index> own_unknowns, unknowns; ///< of contact nodes
       const Array              stiffness;              ///< along each row of H
@@ -279,8 +291,9 @@ namespace conetact::iterative
       return result;
     }
 
-    /* The change of u that r makes: K du = H^T r - f elsewhere, and the laws of
-       the other contacts, which are those of their reactions K du - H^T r:
+    /* The change of u that r + S H u makes, which is r here: K du = H^T r - f
+       elsewhere with the K of the system, and the laws of the other contacts,
+       which are those of their reactions K du - H^T r:
        P du + D (K du) = h + D H^T r. Without loads, h = 0 and f = 0: the answer
        is linear in r, and its precision has no force to refer to. */
     solvers::LargeSystem::Kept
@@ -336,11 +349,32 @@ namespace conetact::iterative
       return result;
     }
 
+    /* r + S v of contacts whose law is P = D S, whatever u: those that are
+       open, S = 0, or give way by S; 0 of others. */
+    VectorXd
+    WithFurtherContacts::known_reactions(const Newton &newton,
+                                         const Array  &gap) const
+    {
+      constexpr double rounding = 1e-12;
+      Array            result   = Array::Zero(H.rows());
+      Index            row      = 0;
+      for (const NodeLaw &law : newton.further)
+        {
+          const Index n = law.h.size();
+          if ((law.p - law.d * S.segment(row, n).asDiagonal()).norm() <=
+              rounding * law.p.norm())
+            result.segment(row, n) =
+              law.d.inverse() * (law.h + law.p * gap.segment(row, n));
+          row += n;
+        }
+      return result;
+    }
+
     /* GMRES in single precision gains some digits at a time. Its matrix is r ->
-       P H u(r) + D r, each product a solution of the system. What the result
-       changes of u needs none more: by linearity it is made of the answers that
-       were asked for, which are kept, a vector of all unknowns for each
-       iteration of a cycle. */
+       P H u(r) + D (r - S H u(r)), each product a solution of the system. What
+       the result changes of u needs none more: by linearity it is made of the
+       answers that were asked for, which are kept, a vector of all unknowns for
+       each iteration of a cycle. */
     solvers::LargeSystem::Kept
     WithFurtherContacts::find_reactions(Newton &newton, Array &r) const
     {
@@ -349,30 +383,34 @@ namespace conetact::iterative
       const Array            gap    = newton.f.r.cwiseQuotient(stiffness);
       Array                  h(H.rows());
       Index                  row = 0;
-      r.setZero(H.rows());
       for (const NodeLaw &law : newton.further)
         {
           h.segment(row, law.h.size()) = law.h;
-          if (law.p.isZero(0)) // open: known beforehand
-            r.segment(row, law.h.size()) = law.d.inverse() * law.h;
           row += law.h.size();
         }
+      Array      with_springs = known_reactions(newton, gap);
+      const auto without = [&](const Array &reactions, const Array &there) {
+        return Array(reactions - S.cwiseProduct(there));
+      };
       // Reactions of further contacts are few, and each process has all of
       // them: it iterates by itself. Messages are those of product().
       FlexibleGmres                       gmres((Communicator()));
-      std::vector<std::pair<Array, Kept>> responses; // to changes of r
+      std::vector<std::pair<Array, Kept>> responses; // to changes of reactions
       const auto product = [&](const FloatVector &x, FloatVector &y) {
         const Array change = x.cast<double>();
         const Kept  du     = answer(change, false, newton);
+        const Array there  = seen(du);
         responses.emplace_back(change, du);
-        y = law_of(newton, seen(du), change).cast<float>();
+        y = law_of(newton, there, without(change, there)).cast<float>();
       };
       const auto as_it_is = [](const FloatVector &x, FloatVector &y) { y = x; };
-      Kept       du       = answer(r, true, newton);
-      double     start    = 0;
+      Kept       du       = answer(with_springs, true, newton);
+      double     start    = h.norm();
       for (unsigned int i = 0;; ++i)
         {
-          const Array  left = h - law_of(newton, seen(du) - gap, r);
+          const Array there = seen(du);
+          r                 = without(with_springs, there);
+          const Array  left = h - law_of(newton, there - gap, r);
           const double size = left.norm();
           start             = std::max(start, size);
           const double goal = newton.precision.relative * start;
@@ -396,10 +434,10 @@ namespace conetact::iterative
           for (const auto &[change, response] : responses)
             {
               const double much = change.dot(part);
-              r += much * change;
+              with_springs += much * change;
               du = system->add(du, much, response);
             }
-          newton.is_finite &= r.allFinite();
+          newton.is_finite &= with_springs.allFinite();
         }
     }
 

@@ -95,6 +95,59 @@ def hanging(laws):
     laws.check("a cantilever on a strap", abs(laws.run(frame, bounds=False).increments[-1]["strap_f_y"] - 2 * k * c / (1 + k * c)), 1e-9)
 
 
+def on_springs(laws):
+    """What nothing but springs holds, of any stiffness beside that of the body: statics, and both backends."""
+    for dim, k, acts in ((2, 300.0, "both"), (3, .3, "both"), (3, 300.0, "both"), (3, 300.0, "pull"), (3, 1e9, "both")):
+        size, axes = (1.0,) * dim, "xyz"[:dim]
+        low, top = (3, 3) if dim == 2 else (5, 5)
+        force = [f * min(k, 300.0) * 1e-4 for f in (3.0, -5.0) if dim == 2] or [f * min(k, 300.0) * 1e-4 for f in (3.0, 1.0, -5.0)]
+        scene = {"Dimension": dim, "Body block": box((8, 8, 8)[:dim], size, young=YOUNG), "Output": {"VTU": 0},
+                 "Load top": load("traction", " ; ".join(map(repr, force)), top)}
+        ends = {}
+        for point in itertools.product((0.0, 1.0), repeat=dim):
+            if acts == "both" and point[-1] > 0:
+                continue
+            for c in range(dim):
+                end = [x + (.7 if i == c and x > .5 else -.7 if i == c else 0.0) for i, x in enumerate(point)]
+                name = f"s{len(ends)}"
+                ends[name] = (point, c)
+                scene[f"Contact {name}"] = {**spring(point, tuple(end), k), **({} if acts == "both" else {"Acts": "pull", "Preload": .3})}
+        runs = [laws.run(merge(scene, {"Solver": {"Backend": backend}}), bounds=False) for backend in ("condensed", "iterative")]
+        what = f"{dim}D, held by {len(ends)} springs, {acts}, k = {k:g}"
+        laws.demand(f"{what}: solved without condensation", {row["solver"] for row in runs[1].increments} == {"iterative"})
+        row, size = runs[1].increments[-1], max(map(abs, force))
+        carried = [sum(row[f"{name}_f_{c}"] for name in ends) for c in axes]
+        laws.check("  their forces and the load", max(abs(a + b) for a, b in zip(carried, force)) / size, 1e-9)
+        # about the corner at the origin; the load acts at the middle of the top
+        place = [.5] * (dim - 1) + [1.0]
+        turning = sum(point[0] * row[f"{name}_f_{axes[-1]}"] - point[-1] * row[f"{name}_f_x"] for name, (point, _) in ends.items())
+        laws.check("  their moments", abs(turning + place[0] * force[-1] - place[-1] * force[0]) / size, 1e-9)
+        laws.check("  as condensed", max(abs(row[f"{name}_f_{axes[c]}"] - runs[0].increments[-1][f"{name}_f_{axes[c]}"])
+                                         for name, (_, c) in ends.items()) / size, 1e-9)
+
+
+def beside_nothing(laws):
+    """A loaded body that does not touch the other one, on which nothing acts: not even rounding of what the first one bears."""
+    for dim in (2, 3):
+        bottom, top = (2, 3) if dim == 2 else (4, 5)
+        axes, above = "x, y, z"[:3 * dim - 2], (0.0,) * (dim - 1) + (1.1,)
+        scene = {"Dimension": dim, "Body low": box((8, 8, 8)[:dim], (1.0,) * dim, young=YOUNG),
+                 "Body high": box((7, 7, 7)[:dim], (1.0,) * dim, above, young=YOUNG),
+                 "Support low": support(bottom, axes, body="low"), "Contact joint": joint("high", bottom, "low", top, **{"Friction coefficient": .3}),
+                 "Load pull": load("traction", " ; ".join(["0.5*t"] + ["0"] * (dim - 2) + ["5"]), top, body="high"),
+                 "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+        for point in itertools.product((0.0, 1.0), repeat=dim - 1):
+            for c in range(dim):
+                own = (*point, 2.1)
+                end = [x + (.7 if i == c else 0.0) for i, x in enumerate(own)]
+                scene[f"Contact s{''.join(map(str, map(int, point)))}{c}"] = {**spring(own, tuple(end), 300.0), "Body": "high"}
+        run = laws.run(merge(scene, {"Solver": {"Backend": "iterative"}}), bounds=False)
+        laws.demand(f"{dim}D, held by springs apart from the other body: solved without condensation",
+                    {row["solver"] for row in run.increments} <= {"iterative", "linear"})
+        laws.check("  what the other one bears", max(abs(row[f"support_low_f_{c}"]) for row in run.increments for c in "xyz"[:dim]), 0)
+        laws.demand("  open", {row["state"] for row in run.last() if row["contact"] == "joint"} == {"open"})
+
+
 def parting(laws):
     """Two columns, 1 high each, that a tie joins for a while: drawn apart by .1, tied, pulled by .01, sheared, let go."""
     for dim, backend, pairing in ((2, "condensed", "mortar"), (2, "iterative", "mortar"), (3, "condensed", "mortar"), (3, "condensed", "node to face"),
@@ -172,5 +225,7 @@ def joints(laws):
     across_a_tie(laws)
     single(laws)
     hanging(laws)
+    on_springs(laws)
+    beside_nothing(laws)
     parting(laws)
     packed(laws)

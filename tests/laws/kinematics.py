@@ -50,6 +50,27 @@ def shear(run, mu):
     return sum(abs(row["r_t1"]) for row in rows) / (mu * sum(row["r_n"] for row in rows))
 
 
+def same_decisions(laws):
+    """How far a body turns is that of its nodes, by whichever backend: of one on springs, and of one that is tied and bends."""
+    plain = {"Dimension": 3, "Output": {"VTU": 0}, "Load push": load("traction", "15*t ; 0 ; 0", 5), "Time": {"End": 2, "Increments": 2}}
+    on_springs = {**plain, "Body block": box((6, 6, 6), (1.0, 1.0, 1.0))}
+    for n, (x, y, axis) in enumerate((x, y, axis) for x in (0.0, 1.0) for y in (0.0, 1.0) for axis in range(3)):
+        end = [x, y, 0.0]
+        end[axis] += .5 if end[axis] > .5 else -.5
+        on_springs[f"Contact s{n}"] = {"Kind": "spring", "Body": "block", "Point": (x, y, 0.0), "Master point": tuple(end), "Stiffness": 400.0}
+    tied = {**merge(plain, {"Load push": {"Value": "0.7*t ; 0 ; 0", "Body": "stud"}}), "Body plate": box((4, 4, 2), (2.0, 2.0, 1.0), young=1e4),
+            "Body stud": box((2, 2, 12), (.5, .5, 3.0), (.75, .75, 1.0)), "Support plate": support(4, "x, y, z", body="plate"),
+            "Contact foot": joint("stud", 4, "plate", 5, Kind="tie"),
+            "Obstacle wall": floor(3, Normal=(-1, 0, 0), Point=(4, 0, 0)), "Contact wall": contact("stud", 1, "wall")}
+    for what, scene in (("on springs", on_springs), ("tied", tied)):
+        said = []
+        for backend in ("condensed", "iterative"):
+            done, folder = laws.start(merge(scene, {"Solver": {"Backend": backend}}))
+            log = (folder / "log.txt").read_text()
+            said.append((done.returncode, re.findall(r"turns by [-+.e0-9]+[0-9]", log)))
+        laws.demand(f"a body {what}: exit codes and turns {said}", said[0] == said[1] and said[0][1])
+
+
 def symmetric_shear(laws):
     for depth in (.002, .005, .01):
         run = laws.run(with_kinematics(pressed_cylinders(depth), "finite sliding"))
@@ -152,6 +173,7 @@ def kinematics(laws):
     turned_hubs(laws)
     soft_bodies(laws)
     symmetric_shear(laws)
+    same_decisions(laws)
     choices(laws)
     other_units(laws)
     leaning_plank(laws)

@@ -135,6 +135,10 @@ namespace conetact::analysis
     reactions(const PendingIncrement &increment) const;
     std::string
     leave(const unsigned int contact, const SmallKinematics::Left &left);
+    /** Amounts of all motions and the deformation of all dofs, of w. */
+    std::pair<Eigen::VectorXd, Eigen::VectorXd>
+    motions_and_deformation(const PendingIncrement &increment,
+                            const Eigen::VectorXd  &w) const;
     /** Whether small kinematics no longer holds, a sentence; empty: it does, or
      * is asked for. */
     std::string

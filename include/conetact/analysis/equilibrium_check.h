@@ -80,6 +80,14 @@ namespace conetact::analysis
     const bool                               contacts_change;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
   };
+
+  /**
+   * Leaves bodies on which nothing acts as they are, in the end of an increment
+   * that is solved: a system of all bodies is solved to a part of the forces
+   * that others have, which is no deformation of these.
+   */
+  void
+  rest_idle_bodies(PendingIncrement &increment, contact::ContactModel &model);
 } // namespace conetact::analysis
 
 #endif

@@ -85,6 +85,17 @@ namespace conetact::contact
     std::vector<OfBody>    all; ///< of each body
     Index                  n_of_elastic = 0;
   };
+
+  /**
+   * Amounts of all modes in R a + w: `amounts` and what w moves bodies by that
+   * supports leave free, by least squares over the nodes of each. Solvers part
+   * a displacement into motions and deformations as suits them; this does not
+   * depend on how.
+   */
+  RigidMotions::Amounts
+  motions_with(const RigidMotions    &motions,
+               RigidMotions::Amounts  amounts,
+               const Eigen::VectorXd &w);
 } // namespace conetact::contact
 
 #endif

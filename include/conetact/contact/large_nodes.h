@@ -6,6 +6,7 @@
 
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
+#include "conetact/iterative/elements.h"
 #include "conetact/iterative/further_contacts.h"
 
 #include <map>
@@ -61,9 +62,14 @@ namespace conetact::contact
   /** What contacts without axes of their own (ContactAxes) see of the unknowns;
    * none: no such contact. */
   std::optional<iterative::FurtherContacts>
-  further_contacts(const model::Bodies &bodies,
+  further_contacts(const ElasticSystem &elastic,
                    const Coordinates   &coordinates,
                    const ContactPoints &points);
+
+  /** H^T S H of these, which is to be of the system; no longer than they live.
+   */
+  iterative::Elements
+  springs_of(const iterative::FurtherContacts &further);
 
   /** Displacements of all dofs as these contacts see them, and their reactions
    * on all dofs. */

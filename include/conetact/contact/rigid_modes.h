@@ -43,6 +43,9 @@ namespace conetact::contact
      * its body: least squares of displacements depend on no unit. */
     Amounts
     products(Eigen::VectorXd u) const;
+    /** R^T L R of a body. */
+    Eigen::MatrixXd
+    squares(const unsigned int body) const;
     /** direction . R at p, the modes of a body. */
     Eigen::RowVectorXd
     row(const unsigned int  body,

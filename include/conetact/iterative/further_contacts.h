@@ -16,13 +16,16 @@ namespace conetact::iterative
 {
   /**
    * Contacts of nodes whose unknowns have the axes of another contact. They see
-   * H u of these unknowns, and act on them by H^T r.
+   * H u of these unknowns, and act on them by H^T r. Of some a part of the law
+   * is a stiffness S, which is the system's: its matrix is K + H^T S H, which
+   * bodies that nothing else holds do not make singular.
    */
   struct FurtherContacts
   {
     using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
     Rows                   H;      ///< of their unknowns, node by node
+    Eigen::VectorXd        S;      ///< of each row, 0: none [force/length]
     solvers::ContactSystem layout; ///< of all contact nodes
     /** Numbers of contact nodes: those of the system without these, and
      * these. */
@@ -51,12 +54,13 @@ namespace conetact::iterative
   };
 
   /**
-   * A system with further contacts. Of its unknowns (u, r, v) r and v are their
-   * reactions and displacements, @f$K u - H^T r@f$ what the other contacts and
-   * loads balance, @f$v = H u@f$ an equation. As r changes, u follows by a
-   * solution of the system without them: laws of these contacts are solved for
-   * r by GMRES, each iteration of which takes such a solution. That is for few
-   * such nodes, or for many that see little of each other.
+   * A system with further contacts; `system` has H^T S H. Of its
+   * unknowns (u, r, v) r and v are their reactions and displacements,
+   * @f$K u - H^T r@f$ what the other contacts and loads balance, @f$v = H u@f$
+   * an equation. As r + S v changes, u follows by a solution of `system`: laws
+   * of these contacts are solved for it by GMRES, each iteration of which takes
+   * such a solution. That is for few such nodes, or for many that see little of
+   * each other; a law r = -S v is known beforehand.
    */
   std::shared_ptr<const solvers::LargeSystem>
   make_with_further_contacts(std::shared_ptr<const solvers::LargeSystem> system,
