@@ -231,8 +231,11 @@ class Result:
 
         >>> conetact.run(SCENE).bodies(1)["block"].arrays["displacement"].shape
         (231, 3)
+        >>> conetact.run(SCENE, folder="drawn").bodies(99)
+        Traceback (most recent call last):
+        conetact.errors.ResultError: drawn holds no drawing of increment 99; there are 0, 1.
         """
-        return {body: read_vtu(file) for body, at, file in self._drawings("solution") if at == increment}
+        return {body: read_vtu(file) for body, file in self._files_of(increment, "solution").items()}
 
     def surfaces(self, increment: int) -> dict[str, VtuMesh]:
         """Their surfaces with pressure, traction, gap and state of contact.
@@ -240,7 +243,7 @@ class Result:
         >>> sorted(conetact.run(SCENE).surfaces(1)["block"].arrays)[:2]
         ['contact_pressure', 'contact_traction']
         """
-        return {body: read_vtu(file) for body, at, file in self._drawings("surface") if at == increment}
+        return {body: read_vtu(file) for body, file in self._files_of(increment, "surface").items()}
 
     def _drawings(self, kind: str) -> Iterator[tuple[str, int, Path]]:
         """Bodies, increments and files, not those of pieces, which PVTU files join."""
