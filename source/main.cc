@@ -132,7 +132,10 @@ namespace
     else if (!line.entry_text.empty())
       print(application::entry_text(line));
     else if (!line.batch.empty())
-      throw InputError("A batch is no run of another one.");
+      throw InputError(ProcessSession::n_processes() == 1 ?
+                         "A batch is no run of another one." :
+                         "A batch is no run of several processes. Leave "
+                         "mpirun out, and write --processes into its lines.");
     else if (!line.new_scene.empty())
       print(application::write_starter_scene(line.new_scene));
     else
@@ -232,9 +235,6 @@ namespace
   {
     try
       {
-        if (ranks_of_mpirun().size > 1)
-          throw InputError("A batch is no run of several processes. Leave "
-                           "mpirun out, and write --processes into its lines.");
         return application::run_batch(line, [](int argc, char *const argv[]) {
           static const ProcessSession process; // for the runs that follow, too
           return run_process(argc, argv);
@@ -252,12 +252,12 @@ namespace
 } // namespace
 
 /* Nothing is started before it is known that there will be no copies of this
-   process. */
+   process. Processes of mpirun make none: one refuses a batch for all. */
 int
 main(int argc, char *argv[])
 {
   const application::CommandLine line = batch_of(argc, argv);
-  if (!line.batch.empty())
+  if (!line.batch.empty() && ranks_of_mpirun().size == 1)
     return run_batch(line);
   int code = 0;
   {

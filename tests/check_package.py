@@ -411,6 +411,9 @@ def refused_meshes(laws):
                         ("no kind of cell of dimension 2 with 5", lambda: conetact.Mesh(points, [[0, 1, 2, 3, 4]])),
                         ("whole numbers", lambda: conetact.Mesh(points, [[0., 1., 2.]])),
                         ("has no face", lambda: conetact.Mesh(points, cells, boundary={"far": lambda x: x[:, 0] > 9})),
+                        ("'a' names (0, 4), which is no face", lambda: conetact.Mesh(points, cells, boundary={"a": [(0, 1), (0, 4)]})),
+                        ("'c,d' cannot be used", lambda: conetact.Mesh(points, cells, boundary={"c,d": [(0, 1)]})),
+                        ("'#' cannot be used", lambda: conetact.Mesh(points, cells, groups={"#": [0]})),
                         ("the cells 0 to 7", lambda: conetact.Mesh(points, cells, groups={"far": [0, 7]})),
                         ("Cells of a body", lambda: conetact.Mesh(points, {"quad": cells, "line": [(0, 1)]})),
                         ("cannot be written", lambda: conetact.Mesh(points, cells).save("/proc/none/a.msh"))):
@@ -436,6 +439,10 @@ def results(laws):
         demand_sentence(laws, conetact.ResultError, "there are 0, 1", lambda: result.to_pyvista(7))
         bare = conetact.run(BLOCK, {"Output/VTU": 0})
         demand_sentence(laws, conetact.ResultError, "Output/VTU", bare.to_pyvista)
+    for wrong in (99, -1, "x"):
+        for call in (result.bodies, result.surfaces):
+            demand_sentence(laws, conetact.ResultError, f"increment {wrong}; there are 0, 1", lambda: call(wrong))
+    demand_sentence(laws, conetact.ResultError, "Output/VTU", lambda: bare.bodies(1))
     with instead_of("pandas", types.SimpleNamespace(DataFrame=lambda table: table.dtype.names)):
         laws.demand("pandas takes tables", "r_n" in result.to_pandas("reactions") and "slip" in result.to_pandas())
 

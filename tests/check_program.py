@@ -259,6 +259,9 @@ class Case:
             self.demand(f"  the last screen says '{start}'", any(line.startswith(start) for line in lines), run.stdout)
         self.demand("  in about ten lines", len(lines) - next(
             (i for i, line in enumerate(lines) if line.startswith("increment 20")), 0) <= 11, run.stdout)
+        nowhere = say("--new", "none/mine")
+        self.demand("--new in no folder: nothing of the disk", nowhere.returncode == 3 and "make its folder" in nowhere.stderr
+                    and "disk space" not in nowhere.stderr, nowhere.stderr)
         again = say("--new", "mine.prm")
         self.demand("  and is never overwritten", again.returncode == 1 and "exists already" in again.stderr, again.stderr)
         (self.folder / "below").mkdir()
@@ -494,6 +497,7 @@ class Case:
             for name in ("reactions.csv", "increments.csv", "used.prm")))
         self.refuse_batches()
         self.end_batch()
+        self.stop_batch()
 
     def refuse_batches(self):
         for what, lines, words in (
@@ -516,8 +520,12 @@ class Case:
             run = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True)
             self.demand(f"{' '.join(arguments)}: refused", run.returncode == 1 and words in run.stderr
                         and len(run.stderr.splitlines()) == 1, run)
-        two = {**os.environ, "PMI_SIZE": "2", "PMI_RANK": "0"}
-        self.refuses("a batch under mpirun", self.run_batch(["'a b.prm' -o x"], env=two), "Leave mpirun out")
+        rooted = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                  "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+        for _ in range(4):  # another process may not end before the first one has spoken
+            run = subprocess.run(["mpirun", "-n", "3", self.program, "--batch", "runs.txt"], cwd=self.folder, capture_output=True,
+                                 text=True, env=rooted)
+            self.demand("a batch under mpirun: refused once", run.returncode == 1 and run.stderr.count("Leave mpirun out") == 1, run)
 
     def end_batch(self):
         """A run that dies ends alone; a batch takes its runs along."""
@@ -548,6 +556,36 @@ class Case:
                 time.sleep(.01)
             self.demand(f"{ending.name} ends runs, too", process.returncode == -ending and children and
                         not any(Path(f"/proc/{child}").exists() for child in children), process.returncode)
+
+    def stop_batch(self):
+        """Ctrl-C once: increments are finished, each run that was begun has its row, no other begins; twice: at once."""
+        (self.folder / "runs.txt").write_text("".join(f"slow.prm -o slow{i} -s Output/Checkpoint=1\n" for i in range(4)))
+        begun = [self.folder / f"slow{i}" for i in range(2)]
+        for times, words in ((1, "Interrupted after increment"), (2, "The run was ended at once")):
+            for folder in begun:
+                shutil.rmtree(folder, ignore_errors=True)
+            process = subprocess.Popen([self.program, "--batch", "runs.txt", "--jobs", "2"], cwd=self.folder, text=True, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+            while process.poll() is None and not all((folder / "checkpoint.bin").exists() for folder in begun):
+                time.sleep(.01)
+            children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+            if times == 2:  # that no increment ends in between
+                for child in children:
+                    os.kill(int(child), signal.SIGSTOP)
+            process.send_signal(signal.SIGINT)
+            said = "".join(process.stderr.readline() for _ in range(2))
+            if times == 2:
+                process.send_signal(signal.SIGINT)
+            out, rest = process.communicate(timeout=60)
+            said += rest
+            rows = out.splitlines()[1:]
+            self.demand(f"{times} times Ctrl-C: a row for each run that was begun", process.returncode == -signal.SIGINT and len(rows) == 3 and all(
+                        f"   130  slow{i}: {words}" in rows[i] for i in range(2)), out)
+            self.demand("  no other begins, and it says so", "2 more were not begun" in rows[-1] and "is finished first" not in out and
+                        said.count("are finished first") == 1 and not (self.folder / "slow2").exists(), out + said)
+            lengths = [(folder / f"{name}.csv").read_text().count("\n") - 1 for folder in begun for name in ("increments", "history")]
+            told = [int(re.search(r"increment (\d+),", row)[1]) for row in rows[:2]] if times == 1 else lengths[::2]
+            self.demand(f"  tables are whole: {lengths}", times == 2 or lengths == [told[0]] * 2 + [told[1]] * 2, out)
 
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""

@@ -7,7 +7,7 @@ usage: check_python.py PROGRAM CASE
 
   pictures  plane, space, frames and two bodies are drawn, with content and nothing cut off; wrong calls get a sentence
   curves    columns of all tables against each other; wrong calls get a sentence
-  runs      entries, tables, log; an exception for each exit code
+  runs      entries, tables, log, how runs ended; an exception for each exit code
   sweeps    products and zipped lists; runs without equilibrium; kept folders
   shapes    surfaces of meshes with cells of two levels, factors, files of VTU
   unrolled  maps of bores and tapers: arc length against the coordinate along the axis
@@ -15,8 +15,10 @@ usage: check_python.py PROGRAM CASE
 import contextlib
 import io
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -186,12 +188,50 @@ def runs(laws):
     demand_exception(laws, conetact.ConetactError, "CONETACT", lambda: conetact.run(BLOCK))
     os.environ["CONETACT"] = str(laws.program)
 
+    endings(laws)
     file = laws.folder / "path.prm"
     write_scene(pushed_block(2, .6, .5), file)
     path = conetact.run(file)
     words, parameter = path.outcome
     laws.check("limit load", abs(parameter - .5), 1e-12)
     laws.demand("events", words.startswith("limit load") and len(path.events) > 5 and path.events["to"][0] in ("open", "slip+", "slip-"))
+
+
+def endings(laws):
+    """Folders of runs that were refused, stopped, killed tell so."""
+    refused = conetact.run(BLOCK, {"Load push/Value": "0.4*t*t", "Time/End": 2, "Time/Increments": 8}, laws.folder / "refused", check=False)
+    again = conetact.Result(refused.folder)
+    laws.demand(f"refused: {again}", again.exit_code == 2 and len(again.increments) == 5 and isinstance(again.error, conetact.AnalysisError)
+                and str(again.error) == str(refused.error) and again.error.result is again)
+    log = refused.folder / "log.txt"
+    for words, text in (("no end", log.read_text().partition("Increment 4 of 8")[0]), ("no log.txt", None)):
+        log.unlink() if text is None else log.write_text(text)
+        killed = conetact.Result(refused.folder)
+        laws.demand(f"killed: {killed}", killed.exit_code is None and words in str(killed.error) and "unknown" in repr(killed)
+                    and not isinstance(killed.error, conetact.AnalysisError))
+    stopped = stopped_by_hand(laws, "-s", "Time/Increments=200000", "-s", "Output/VTU=0")
+    laws.demand(f"stopped by Ctrl-C: {stopped}, {stopped.error}", stopped.exit_code is None and str(stopped.error).startswith(
+                f"Interrupted after increment {len(stopped.increments)},"))
+    path = laws.folder / "limit.prm"
+    write_scene(pushed_block(2, .6, .5), path)
+    whole = conetact.run(path, folder=laws.folder / "whole")
+    laws.demand("whole, of increments and of a path", conetact.Result(whole.folder).exit_code == 0 == conetact.Result(
+                conetact.run(BLOCK, folder=laws.folder / "all").folder).exit_code)
+
+
+def stopped_by_hand(laws, *arguments):
+    folder = laws.folder / "stopped"
+    process = subprocess.Popen([laws.program, BLOCK, "-q", "-o", folder, *arguments], stderr=subprocess.DEVNULL,
+                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+    while process.poll() is None and "Increment 1 of" not in text_of(folder / "log.txt"):
+        time.sleep(.02)
+    process.send_signal(signal.SIGINT)
+    process.wait()
+    return conetact.Result(folder)
+
+
+def text_of(file):
+    return file.read_text() if file.exists() else ""
 
 
 def sweeps(laws):

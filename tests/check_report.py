@@ -13,6 +13,7 @@ usage: check_report.py PROGRAM CASE
 import html.parser
 import json
 import re
+import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -21,7 +22,7 @@ TOP = Path(__file__).resolve().parent.parent
 from support.browser import Browser, chromium  # noqa: E402
 from support.checks import run_families  # noqa: E402
 from support.gears import pair as gears  # noqa: E402
-from support.scenes import merge, press_and_shear, simplices, stack, with_element  # noqa: E402
+from support.scenes import merge, press_and_shear, pushed_block, simplices, stack, with_element  # noqa: E402
 
 REPORT = TOP / "scripts" / "conetact-report"
 GRID, FLOATING = (TOP / "parameter-files" / f"{name}.prm" for name in ("double-layer-grid-04", "floating-block"))
@@ -119,7 +120,9 @@ def pages(laws):
     without = read(laws, "without pictures", page_of(laws, "without pictures", FLOATING, 0, "-s", "Output/VTU=0"))
     laws.demand("without pictures: a sentence says so", "There is no view" in without.words and not without.data)
     stopped_runs(laws)
+    ways(laws)
     wrong_calls(laws)
+    full_disk(laws)
     rounding(laws)
 
 
@@ -151,6 +154,17 @@ def stopped_runs(laws):
     demand_view(laws, "stopped", stopped, increments=5)
     at_once = read(laws, "at once", page_of(laws, "at once", FLOATING, 2, "-s", "Load push/Value=9*t"))
     laws.demand("at once: no increment", "No increment is solved" in at_once.words)
+    bare = read(laws, "at once, undeformed", page_of(laws, "at once, undeformed", FLOATING, 2, "-s", "Load push/Value=9*t", "-s", "Output/VTU=1"))
+    demand_view(laws, "at once, undeformed", bare, increments=1, bodies=1)
+    laws.demand("  it says so", "The bodies are undeformed" in bare.words and "There is no view" not in bare.words)
+
+
+def ways(laws):
+    """Events of a load path and meshes of an adaptive run are tables, row by row."""
+    path = read(laws, "path", page_of(laws, "path", pushed_block(2, .6, .5)))
+    laws.demand("path: events and its end", all(words in path.words for words in ("Events", "slip+", "rises", "limit load", "The path ends at p = 0.5")))
+    adaptive = read(laws, "adaptive", page_of(laws, "adaptive", merge(press_and_shear(2, increments=1), {"Adaptive refinement": 1})))
+    laws.demand("adaptive: a row for each mesh", all(words in adaptive.words for words in ("Meshes", "contact_nodes", "estimate")))
 
 
 def wrong_calls(laws):
@@ -161,6 +175,19 @@ def wrong_calls(laws):
                     len(done.stderr.splitlines()) == 1 and "Traceback" not in done.stderr)
     laws.demand("nothing is written",
                 not (laws.folder / "report.html").exists() and not list(laws.folder.glob("*.tmp")))
+
+
+def full_disk(laws):
+    """What is not whole does not stay."""
+    folder, kept = laws.start(merge(press_and_shear(2, increments=1), DRAWN))[1], laws.folder / "full"
+    kept.mkdir()
+
+    def little_place():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+    for script, file in (("conetact-report", "x.html"), ("picture.py", "x.png")):
+        done = subprocess.run([REPORT.with_name(script), folder, "-o", kept / file], capture_output=True, text=True, preexec_fn=little_place)
+        laws.demand(f"{script}: {done.stderr.strip()[-120:]}", done.returncode == 1 and "cannot be written" in done.stderr
+                    and not list(kept.iterdir()))
 
 
 def coloured(pixels):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Union
@@ -45,6 +46,8 @@ class Mesh:
         if len({KINDS[name].dimension for name, _ in self.cells}) != 1 or self.dimension < 2:
             raise InputError("Cells of a body are all triangles and quadrilaterals, or all of space; these are "
                              f"{', '.join(name for name, _ in self.cells)}. Faces with a name belong to `boundary`.")
+        for name in (*(boundary or {}), *(groups or {})):
+            check_name(name)
         self.groups = {name: np.unique(cell_numbers(rows, self.n_cells)) for name, rows in (groups or {}).items()}
         self.boundary = {name: self._faces(name, rows) for name, rows in (boundary or {}).items()}
 
@@ -62,7 +65,18 @@ class Mesh:
             return self._faces_where(name, rows)
         faces = blocks_of(rows, None, self.dimension - 1)
         check_nodes(faces, len(self.points))
+        self._check_faces(name, faces)
         return faces
+
+    def _check_faces(self, name: Name, blocks: Blocks) -> None:
+        """Each is one of a cell, inside of the body, too: by the corners, which come first."""
+        known = {n: {tuple(face) for face in np.sort(rows, axis=1).tolist()}
+                 for n, rows in faces_of(self.cells, self.dimension).items()}
+        for kind, rows in blocks:
+            n = len(KINDS[kind].faces) or 2  # as many sides as corners
+            for face in rows[:, :n].tolist():
+                if tuple(sorted(face)) not in known.get(n, ()):
+                    raise InputError(f"The boundary '{name}' names ({', '.join(map(str, face))}), which is no face of a cell.")
 
     def _faces_where(self, name: Name, condition: Condition) -> Blocks:
         found = []
@@ -272,6 +286,12 @@ def checked_kind(name: str, rows: npt.ArrayLike) -> str:
     if (n := array_of_cells(rows).shape[1]) != KINDS[name].nodes:
         raise InputError(f"Cells '{name}' have {KINDS[name].nodes} nodes; these have {n}.")
     return name
+
+
+def check_name(name: Name) -> None:
+    """Entries of scenes have names in lists."""
+    if isinstance(name, str) and (name != name.strip() or not name or re.search(r'[,#"\n]', name)):
+        raise InputError(f"The name '{name}' cannot be used in a mesh. Choose one without , # and quotes.")
 
 
 def check_nodes(blocks: Blocks, n_points: int) -> None:

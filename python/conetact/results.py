@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import curves, optional
-from .errors import AnalysisError, ResultError
+from .endings import ending_of
+from .errors import AnalysisError, ConetactError, ResultError
 from .scene_text import read_entries
 from .tables import Table, read_events, read_table
 from .vtu import VtuMesh, read_vtu
@@ -24,17 +25,22 @@ class Result:
     """A folder of results; tables are read when they are asked for.
 
     `changes` are the entries that were replaced, `error` is the exception of an exit code
-    that is not 0.
+    that is not 0. A folder that is there is read as its log ends: of a run that was interrupted
+    or killed, or still goes on, the exit code is None, and `error` says so.
 
     >>> result = conetact.run(SCENE, {"Load push/Value": "0.2*t"}, folder="push")
     >>> result
     Result('push', exit code 0, 1 increments)
     >>> conetact.Result("push").increments["bottom_f_x"]
     array([-0.2])
+    >>> conetact.run(SCENE, {"Load push/Value": "9*t"}, folder="slides", check=False).exit_code
+    2
+    >>> conetact.Result("slides").error
+    AnalysisError("Increment 1 of 1 (t = 1): no equilibrium exists, body 'block' slides along (1, 0, 0): no friction could hold it.")
     """
 
-    def __init__(self, folder: str | os.PathLike[str], changes: Mapping[str, Any] | None = None, exit_code: int = 0,
-                 error: AnalysisError | None = None) -> None:
+    def __init__(self, folder: str | os.PathLike[str], changes: Mapping[str, Any] | None = None,
+                 exit_code: int | None = None, error: ConetactError | None = None) -> None:
         self.folder, self.changes = Path(folder), dict(changes or {})
         self.exit_code, self.error = exit_code, error
         self.temporary: tempfile.TemporaryDirectory[str] | None = None  # that of the folder, which ends with this
@@ -44,9 +50,25 @@ class Result:
             raise ResultError(f"There is no folder {self.folder}.")
         if error is None and not (self.folder / "used.prm").is_file():
             raise ResultError(f"{self.folder} holds no used.prm: is it a folder of results?")
+        if exit_code is None:
+            self._read_ending()
+
+    def _read_ending(self) -> None:
+        """What whoever has started the run was told."""
+        if not (self.folder / "log.txt").is_file():
+            self.error = ConetactError(f"{self.folder} holds no log.txt: how the run ended is not known.")
+            return
+        ending = ending_of(self.log)
+        self.exit_code = ending.exit_code
+        if self.exit_code is None:
+            self.error = ConetactError(ending.sentence)
+        elif self.exit_code != 0:
+            self.error = AnalysisError(ending.sentence)
+            self.error.result = self
 
     def __repr__(self) -> str:
-        return f"Result({str(self.folder)!r}, exit code {self.exit_code}, {self._n_increments()} increments)"
+        code = "unknown" if self.exit_code is None else self.exit_code
+        return f"Result({str(self.folder)!r}, exit code {code}, {self._n_increments()} increments)"
 
     def _n_increments(self) -> int:
         try:
@@ -209,8 +231,11 @@ class Result:
 
         >>> conetact.run(SCENE).bodies(1)["block"].arrays["displacement"].shape
         (231, 3)
+        >>> conetact.run(SCENE, folder="drawn").bodies(99)
+        Traceback (most recent call last):
+        conetact.errors.ResultError: drawn holds no drawing of increment 99; there are 0, 1.
         """
-        return {body: read_vtu(file) for body, at, file in self._drawings("solution") if at == increment}
+        return {body: read_vtu(file) for body, file in self._files_of(increment, "solution").items()}
 
     def surfaces(self, increment: int) -> dict[str, VtuMesh]:
         """Their surfaces with pressure, traction, gap and state of contact.
@@ -218,7 +243,7 @@ class Result:
         >>> sorted(conetact.run(SCENE).surfaces(1)["block"].arrays)[:2]
         ['contact_pressure', 'contact_traction']
         """
-        return {body: read_vtu(file) for body, at, file in self._drawings("surface") if at == increment}
+        return {body: read_vtu(file) for body, file in self._files_of(increment, "surface").items()}
 
     def _drawings(self, kind: str) -> Iterator[tuple[str, int, Path]]:
         """Bodies, increments and files, not those of pieces, which PVTU files join."""

@@ -50,7 +50,7 @@ namespace conetact::application
       {
         sigset_t taken;
         sigemptyset(&taken);
-        for (const int signal : {SIGCHLD, SIGINT, SIGTERM, SIGHUP})
+        for (const int signal : {SIGCHLD, SIGINT, SIGTERM, SIGHUP, SIGTSTP})
           sigaddset(&taken, signal);
         sigprocmask(SIG_BLOCK, &taken, &before);
         fd = signalfd(-1, &taken, SFD_CLOEXEC);
@@ -189,12 +189,14 @@ namespace conetact::application
           }
       }
 
-      /** The last line. Returns the largest exit code. */
+      /** The last line, with what is to be said besides. Returns the largest
+       * exit code. */
       int
-      close()
+      close(const std::string &more)
       {
         print(std::to_string(n_good + n_bad) + " runs, " +
-              std::to_string(n_bad) + " with another exit code than 0\n");
+              std::to_string(n_bad) + " with another exit code than 0" + more +
+              '\n');
         return largest;
       }
 
@@ -251,10 +253,14 @@ namespace conetact::application
               }
             if (lines.is_open || n_running() > 0)
               wait();
-            if (ended_by != 0)
+            if (ended_by != 0 && ended_by != SIGINT)
               return of_signal + ended_by;
           }
-        return table.close();
+        return table.close(ended_by == 0 ?
+                             "" :
+                             ". Interrupted: " + std::to_string(n_left) +
+                               " more were not begun; the rows above say what "
+                               "is on disk");
       }
 
       /** The signal that ends the batch, or 0. */
@@ -336,7 +342,7 @@ namespace conetact::application
             }
         if (events[0].revents != 0)
           take_signal();
-        if (events[1].revents != 0)
+        if (events[1].revents != 0 && ended_by == 0)
           lines.read([this](const BatchRun &run, const std::string &why) {
             table.begin(run.number);
             table.end(run, wrong_line, why);
@@ -347,6 +353,10 @@ namespace conetact::application
       take_signal()
       {
         const int signal = signals.take();
+        if (signal == SIGTSTP)
+          return sleep();
+        if (signal == SIGINT)
+          return ended_by == 0 ? ask_to_stop() : end_at_once();
         if (signal != SIGCHLD)
           {
             ended_by = signal;
@@ -355,6 +365,49 @@ namespace conetact::application
         int status = 0;
         for (pid_t child; (child = waitpid(-1, &status, WNOHANG)) > 0;)
           see_end(child, status);
+      }
+
+      void
+      send_to_runs(const int signal) const
+      {
+        for (const Worker &worker : workers)
+          if (!worker.is_idle())
+            worker.process.send(signal);
+      }
+
+      /** Ctrl-Z, until the shell lets the batch go on. */
+      void
+      sleep() const
+      {
+        send_to_runs(SIGSTOP);
+        raise(SIGSTOP);
+        send_to_runs(SIGCONT);
+      }
+
+      /** No other run begins; those that run finish their increments. */
+      void
+      ask_to_stop()
+      {
+        ended_by = SIGINT;
+        n_left   = lines.runs.size();
+        lines.runs.clear();
+        lines.is_open = false;
+        std::cerr << "\nconetact: The increments that are running are finished "
+                     "first, unless they are hard to find; Ctrl-C once more "
+                     "ends the runs at once."
+                  << std::endl;
+        send_to_runs(SIGINT);
+      }
+
+      void
+      end_at_once()
+      {
+        for (Worker &worker : workers)
+          if (!worker.is_idle())
+            end(worker,
+                of_signal + SIGINT,
+                "The run was ended at once; what it has finished is on "
+                "disk.");
       }
 
       /** Of a process. MPI, which catches signals, has said much, but nothing
@@ -394,6 +447,7 @@ namespace conetact::application
       const unsigned int n_jobs;
       const MainOfRun   &program;
       Workers            workers;
+      std::size_t        n_left = 0; ///< runs that will not begin
     };
   } // namespace
 

@@ -198,6 +198,7 @@ namespace conetact::application
     if (child == 0)
       {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        setpgid(0, 0); // a terminal's Ctrl-C is for the batch, which asks once
         begin();
         serve(ends[1], program);
       }
@@ -237,6 +238,15 @@ namespace conetact::application
   {
     char answer;
     return recv(ours, &answer, 1, MSG_DONTWAIT) == 1;
+  }
+
+
+
+  void
+  BatchProcess::send(const int signal) const
+  {
+    if (child > 0)
+      kill(child, signal);
   }
 
 

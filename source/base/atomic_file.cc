@@ -63,9 +63,15 @@ namespace conetact
   void
   fail_to_write(const fs::path &file, const std::error_code &error)
   {
-    throw WriteError("Cannot write " + file.string() + " (" + error.message() +
-                     "): free some disk space or choose another folder; "
-                     "what was written before is intact.");
+    const bool is_full =
+      error == std::errc::no_space_on_device || error.value() == EDQUOT;
+    const bool is_missing = error == std::errc::no_such_file_or_directory;
+    throw WriteError(
+      "Cannot write " + file.string() + " (" + error.message() + "): " +
+      (is_full    ? "free some disk space or choose another folder" :
+       is_missing ? "make its folder or choose another one" :
+                    "choose another folder") +
+      "; what was written before is intact.");
   }
 
 

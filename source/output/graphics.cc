@@ -315,7 +315,7 @@ namespace conetact::output
                                                     record.actions.at(body));
     grid.cell_ids.push_back(
       {"body", std::vector<int>(grid.n_cells(), static_cast<int>(body))});
-    add_contact(run, record, body, grid);
+    add_contact(skins.at(body), run, record, body, grid);
     run.units.label(grid);
     check_sizes(grid);
     Pieces &piece = pieces[body];

@@ -35,17 +35,19 @@ namespace conetact::output
     /** What contact does to a node of a body. */
     struct ContactHere
     {
-      double       pressure = 0;
-      double       gap      = nan;
-      double       state    = -1;
-      double       wear     = 0;
-      Tensor<1, 3> traction, slip;
+      double                    pressure = 0;
+      double                    gap      = nan;
+      double                    state    = -1;
+      double                    wear     = 0;
+      Tensor<1, 3>              traction, slip;
+      std::vector<unsigned int> contacts; ///< that the node is in
 
       void
       add(const model::ContactRow &row)
       {
         const double p     = row.traction()[0];
         const bool   first = state < 0;
+        contacts.push_back(row.contact);
         traction += row.in_space(row.traction());
         wear = std::max(wear, row.wear);
         gap  = first ? row.gap : std::min(gap, row.gap);
@@ -69,21 +71,77 @@ namespace conetact::output
       }
     };
 
-    std::map<unsigned int, ContactHere>
-    contact_on(const RunDescription         &run,
+    using ContactOfNodes = std::map<unsigned int, ContactHere>;
+
+    /** Some contact is at all of these nodes. */
+    bool
+    share_contact(const std::vector<unsigned int> &nodes,
+                  const ContactOfNodes            &contact)
+    {
+      const auto first = contact.find(nodes.front());
+      if (first == contact.end())
+        return false;
+      const auto is_at = [&](const unsigned int node, const unsigned int c) {
+        const auto found = contact.find(node);
+        return found != contact.end() &&
+               std::count(found->second.contacts.begin(),
+                          found->second.contacts.end(),
+                          c) > 0;
+      };
+      return std::any_of(first->second.contacts.begin(),
+                         first->second.contacts.end(),
+                         [&](const unsigned int c) {
+                           return std::all_of(nodes.begin(),
+                                              nodes.end(),
+                                              [&](const unsigned int node) {
+                                                return is_at(node, c);
+                                              });
+                         });
+    }
+
+    ContactHere
+    mean_of(const bodies::HangingNode &middle, const ContactOfNodes &contact)
+    {
+      ContactHere here;
+      here.gap       = 0;
+      double largest = -std::numeric_limits<double>::infinity();
+      for (const auto &[node, weight] : middle.masters)
+        {
+          const ContactHere &corner = contact.at(node);
+          here.pressure += weight * corner.pressure;
+          here.gap += weight * corner.gap;
+          here.wear += weight * corner.wear;
+          here.traction += weight * corner.traction;
+          here.slip += weight * corner.slip;
+          if (corner.pressure > largest)
+            {
+              largest    = corner.pressure;
+              here.state = corner.state;
+            }
+        }
+      return here;
+    }
+
+    ContactOfNodes
+    contact_on(const Skin                   &skin,
+               const RunDescription         &run,
                const model::IncrementRecord &record,
                const unsigned int            body)
     {
-      std::map<unsigned int, ContactHere> nodes;
+      ContactOfNodes corners;
       for (const model::ContactRow &row : record.rows)
         if (run.contact_bodies.at(row.contact) == body)
-          nodes[row.node].add(row);
+          corners[row.node].add(row);
       for (const model::WornNode &worn : record.worn_masters)
         if (worn.body == body)
           {
-            double &depth = nodes[worn.node].wear;
+            double &depth = corners[worn.node].wear;
             depth         = std::max(depth, worn.depth);
           }
+      ContactOfNodes nodes = corners;
+      for (const SkinMiddle &middle : skin.middles)
+        if (share_contact(middle.corners, corners))
+          nodes.emplace(middle.between.node, mean_of(middle.between, corners));
       return nodes;
     }
 
@@ -97,12 +155,13 @@ namespace conetact::output
     /** Of points that are nodes, or nothing: `elsewhere`. */
     std::vector<ContactHere>
     contact_at(const std::vector<unsigned int> &nodes,
+               const Skin                      &skin,
                const RunDescription            &run,
                const model::IncrementRecord    &record,
                const unsigned int               body,
                const ContactHere               &elsewhere)
     {
-      const auto               contact = contact_on(run, record, body);
+      const auto               contact = contact_on(skin, run, record, body);
       std::vector<ContactHere> points;
       points.reserve(nodes.size());
       for (const unsigned int node : nodes)
@@ -138,6 +197,16 @@ namespace conetact::output
         fields.push_back(std::move(wear));
       return fields;
     }
+    void
+    add_middles(const bodies::Structure   &body,
+                const bodies::SurfaceFace &face,
+                Skin                      &skin)
+    {
+      const auto end = face.nodes.begin() + static_cast<std::ptrdiff_t>(
+                                              bodies::n_corners(body, face));
+      for (const bodies::HangingNode &middle : bodies::middle_nodes(body, face))
+        skin.middles.push_back({middle, {face.nodes.begin(), end}});
+    }
   } // namespace
 
 
@@ -164,6 +233,8 @@ namespace conetact::output
         {
           if (!seen.emplace(face.nodes, id).second)
             continue; // a member of a frame may have several ids
+          if (face.meets_at_corners)
+            add_middles(body, face, skin);
           for (const auto &part : bodies::parts_of_first_degree(body, face))
             {
               std::vector<unsigned int> points;
@@ -206,7 +277,7 @@ namespace conetact::output
     AssertIndexRange(body, run.structures.size());
     AssertDimension(skin.nodes.size(), skin.grid.points.size());
     const auto points =
-      contact_at(skin.nodes, run, record, body, ContactHere());
+      contact_at(skin.nodes, skin, run, record, body, ContactHere());
     VtuField displacement{"displacement", 3, {}};
     for (const unsigned int node : skin.nodes)
       append(displacement, displacement_of(run, record, body, node));
@@ -226,7 +297,8 @@ namespace conetact::output
 
 
   void
-  add_contact(const RunDescription         &run,
+  add_contact(const Skin                   &skin,
+              const RunDescription         &run,
               const model::IncrementRecord &record,
               const unsigned int            body,
               VtuGrid                      &grid)
@@ -236,7 +308,7 @@ namespace conetact::output
     std::vector<unsigned int> nodes = grid.nodes_of_points;
     nodes.resize(grid.points.size(), VtuGrid::no_node);
     const auto points =
-      contact_at(nodes, run, record, body, ContactHere::nothing());
+      contact_at(nodes, skin, run, record, body, ContactHere::nothing());
     for (VtuField &field : fields_of(points, !run.wearing.empty()))
       grid.point_fields.push_back(std::move(field));
     VtuIds state{"state", {}};

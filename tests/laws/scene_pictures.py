@@ -129,6 +129,23 @@ def solids(laws):
             laws.demand("  the units of all", units_are_told(run.folder))
 
 
+def second_degree(laws):
+    """A plate of one layer under 7 MPa: contacts stand at corners of six-node faces, and all nodes of the faces show them."""
+    body = simplices(box((3, 3, 1), (1.5, 1.0, .5), poisson=0.0))
+    scene = {"Dimension": 3, "Body block": merge(body, {"Element": "P2"}), "Obstacle floor": floor(3),
+             "Obstacle ceiling": {"Shape": "half space", "Normal": (0, 0, -1), "Point": (0, 0, .5)},
+             "Contact bottom": contact(ids=4, mu=.3), "Contact top": contact(ids=5, obstacle="ceiling"),
+             "Load top": load("pressure", 7, 5), "Output": {"VTU": 1}}
+    run = laws.run(scene)
+    for kind in ("solution", "surface"):
+        grid = read(run.folder / f"{kind}-block-0001.vtu")
+        z = np.array([grid.GetPoint(i)[2] for i in range(grid.GetNumberOfPoints())])
+        pressure, state = field(grid, "contact_pressure"), field(grid, "state")
+        laws.check(f"{kind}: at all {(z == 0).sum()} nodes of the foot", np.abs(pressure[z == 0] / 7 - 1).max(), 1e-9)
+        laws.demand(f"{kind}: all stick", set(state[z == 0]) == {1} and len({row['node'] for row in run.last()}) < (z == 0).sum())
+        laws.demand(f"{kind}: none between both contacts", set(state[(z > 0) & (z < .5)]) == {-1} and set(state[z == .5]) == {0})
+
+
 def several(laws):
     """A stack of two blocks and a beam: three blocks that are nowhere the same."""
     upper = box((4, 2), (2.0, 1.0), (0.0, 1.0))
@@ -198,6 +215,7 @@ def without_units(laws):
 
 def pictures(laws):
     solids(laws)
+    second_degree(laws)
     several(laws)
     worn(laws)
     without_units(laws)

@@ -20,6 +20,10 @@ namespace conetact::application
    * soon as those above it are there. Returns the largest exit code; that of a
    * run that a signal has ended is 128 and its number, as for shells. Throws
    * InputError before anything runs, WriteError.
+   *
+   * SIGINT (Ctrl-C) asks the runs to stop, each of which has its row then, and
+   * ends the process behind the last line; a second one, SIGTERM and SIGHUP
+   * end runs at once.
    */
   int
   run_batch(const CommandLine &line, const MainOfRun &program);

@@ -65,6 +65,10 @@ namespace conetact::application
     bool
     is_ready() const;
 
+    /** Signals of a terminal do not reach it by themselves. */
+    void
+    send(const int signal) const;
+
     /** The process has ended and has been waited for. */
     void
     see_end();

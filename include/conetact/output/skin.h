@@ -5,15 +5,25 @@
 #define conetact_output_skin_h
 
 #include "conetact/base/vtu_grid.h"
+#include "conetact/bodies/structure.h"
 #include "conetact/output/output.h"
 
 namespace conetact::output
 {
+  /** A node in the middle of corners of a face, of which contacts stand at the
+   * corners alone. */
+  struct SkinMiddle
+  {
+    bodies::HangingNode       between;
+    std::vector<unsigned int> corners; ///< all of the face
+  };
+
   /** The surface of a body as cells; points are its nodes there. */
   struct Skin
   {
     VtuGrid                   grid;  ///< with `boundary_id`, without fields
     std::vector<unsigned int> nodes; ///< their numbers in the body
+    std::vector<SkinMiddle>   middles;
   };
 
   Skin
@@ -32,7 +42,9 @@ namespace conetact::output
    * vector `slip` of the increment [length] and `state`: -1 where nothing may
    * touch (its gap is not a number), 0 open, 1 stick, 2 slip. A node in several
    * contacts has the sum of their tractions, the largest pressure with its
-   * state and slip, and the least gap.
+   * state and slip, and the least gap. Where contacts stand at the corners of
+   * faces, nodes in the middle have what is between those of their edge, and
+   * the state of the one that is pressed most.
    */
   VtuGrid
   draw_skin(const Skin                   &skin,
@@ -45,7 +57,8 @@ namespace conetact::output
    * body. They are no numbers where nothing may touch, `state` is -1 there.
    */
   void
-  add_contact(const RunDescription         &run,
+  add_contact(const Skin                   &skin,
+              const RunDescription         &run,
               const model::IncrementRecord &record,
               const unsigned int            body,
               VtuGrid                      &grid);

@@ -162,6 +162,18 @@ def table_sections(result, units):
             + section("Energies", tables.others_table(rows, units)) + section("Largest values and probes", history))
 
 
+def way_sections(result, units):
+    """What load paths and adaptive runs have besides."""
+    parts = []
+    if (result.folder / "events.csv").exists():
+        words, parameter = result.outcome
+        parts.append(section("Events", tables.events_table(result.events, units),
+                             paragraphs([f"The path ends at p = {parameter:.6g}: {words}."])))
+    if (result.folder / "refinement.csv").exists():
+        parts.append(section("Meshes", tables.meshes_table(result.table("refinement"), units)))
+    return "".join(parts)
+
+
 def scene_section(result, outcome, units):
     file, used = scene_file(result), scene.without_empty((result.folder / "used.prm").read_text())
     return section("Scene", scene.bodies_table(result, outcome, units), scene.contacts_table(result, outcome),
@@ -182,7 +194,7 @@ def page_of(result):
         f"<header>\n<h1>{escape(name)}</h1>\n{paragraphs(about[:1])}</header>\n<main>\n",
         summary(result, outcome, units), view_section(result, units), section("Warnings", list_of(outcome.warnings)),
         section("Curves", wrapped("curves", all_curves(result, contact_names(result, outcome), units))),
-        table_sections(result, units), section("About the scene", paragraphs(about[1:])),
+        way_sections(result, units), table_sections(result, units), section("About the scene", paragraphs(about[1:])),
         scene_section(result, outcome, units), f"</main>\n<footer>{escape(version)}</footer>\n</body>\n</html>\n"])
 
 

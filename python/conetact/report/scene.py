@@ -6,6 +6,7 @@ from html import escape
 
 import numpy as np
 
+from ..errors import ResultError
 from .tables import table
 
 
@@ -47,8 +48,10 @@ def material(entries, body):
 
 def bodies_table(result, outcome, units):
     """What the log says of each body, and its size where there are pictures."""
-    drawn = result.drawn_increments()
-    meshes = result.bodies(drawn[-1]) if drawn else {}
+    try:
+        meshes = result.bodies((result.drawn_increments() or [0])[-1])
+    except ResultError:
+        meshes = {}
     names = dict.fromkeys([*(word.strip() for word in result.entries.get("Bodies", "").split(",")), *outcome.bodies])
     rows = []
     for name in filter(None, names):

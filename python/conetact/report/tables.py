@@ -38,13 +38,13 @@ def table(head, rows, caption=""):
             f"<tbody>{lines}</tbody></table></div>")
 
 
-def thinned(rows):
+def thinned(rows, word="increment", file="increments.csv"):
     """At most so many rows, the last one among them, and a sentence on the others."""
     step = -(-len(rows) // MOST_ROWS)
     if step <= 1:
         return rows, ""
     kept = rows[::-1][::step][::-1]
-    return kept, f"<p>Every {step}th increment is in this table; increments.csv has all {len(rows)}.</p>"
+    return kept, f"<p>Every {step}th {word} is in this table; {file} has all {len(rows)}.</p>"
 
 
 def kind_of(name):
@@ -70,10 +70,10 @@ def rounded(rows, scales):
     return rows
 
 
-def columns_table(rows, names, units):
+def columns_table(rows, names, units, *of_rows):
     """Columns of a table of the program; columns of zeros alone are left out, but for the first two."""
     shown = [name for name in names if rows.dtype[name].kind not in "fi" or name in names[:2] or rows[name].any()]
-    kept, remark = thinned(rows)
+    kept, remark = thinned(rows, *of_rows)
     return remark + table([units.label(name) for name in shown], [[row[name] for name in shown] for row in kept])
 
 
@@ -102,3 +102,13 @@ def others_table(increments, units):
 
 def history_table(history, units):
     return columns_table(history, list(history.dtype.names), units)
+
+
+def events_table(events, units):
+    """Changes of states along a load path."""
+    return columns_table(events, list(events.dtype.names), units, "event", "events.csv") if len(events) else ""
+
+
+def meshes_table(refinement, units):
+    """One row for each mesh of an adaptive run."""
+    return columns_table(refinement, list(refinement.dtype.names), units, "mesh", "refinement.csv")

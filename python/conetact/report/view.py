@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..errors import ResultError
 from .fields import FIRST, LESS_WANTED, described, values_of
 from .meshes import shape_of
 
@@ -35,7 +36,10 @@ class Frame:
 
 def pairs_of(result, increment):
     """Meshes of each body and of its surface, by names."""
-    surfaces = result.surfaces(increment)
+    try:
+        surfaces = result.surfaces(increment)
+    except ResultError:  # bodies without faces have none
+        return {}
     return {name: (mesh, surfaces[name]) for name, mesh in result.bodies(increment).items() if name in surfaces}
 
 
@@ -141,11 +145,13 @@ def nice(factor):
 
 
 def view_of(result, units):
-    """Data for viewer.js, or None where no increment was drawn; and remarks."""
-    increments = result.drawn_increments()
-    if not increments or not pairs_of(result, increments[-1]):
+    """Data for viewer.js, or None where no body was drawn; and remarks."""
+    increments = result.drawn_increments() or [0]
+    if not pairs_of(result, increments[-1]):
         return None, []
     plan, shapes = plan_of(result, increments), []
+    if increments == [0]:
+        plan.remarks.append("The bodies are undeformed: no increment was drawn.")
     film = [frames_of(pairs_of(result, n), result.dimension, plan, shapes) for n in plan.increments]
     found = ranges(film)
     reach = max(float(np.abs(frame.displacement).max(initial=0)) for frames in film for frame in frames)
