@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace conetact::verification
 {
@@ -97,6 +98,33 @@ namespace conetact::verification
 
 
 
+  /* A rigid body has no elements: it takes what contacts and couplings hand on,
+     at their arms. */
+  std::pair<double, double>
+  RoundingBudget::of_those_met(const unsigned int body,
+                               const VectorXd    &rounding) const
+  {
+    std::set<unsigned int> met;
+    double                 arm = 0;
+    for (const contact::ContactPoint &point : points.all())
+      {
+        const pairing::ContactNode &node = *point.node;
+        if (node.masters.empty() || (node.body != body && node.master != body))
+          continue;
+        met.insert(node.body == body ? node.master : node.body);
+        arm = std::max(
+          arm, node.position.distance(bodies.structures[body]->position(0)));
+      }
+    double force = 0;
+    for (const unsigned int b : met)
+      force +=
+        rounding.segment(plain.offset(b), plain.offset(b + 1) - plain.offset(b))
+          .sum();
+    return {force, arm};
+  }
+
+
+
   /* Returns the rounding of forces on a body on which nothing but rounding
      acts, and 0 for any other one: with loads of its own, or without any force.
      Supports and contacts that hold a body which strains itself by heat take up
@@ -139,6 +167,12 @@ namespace conetact::verification
     double sum[2] = {0, 0};
     for (Index i = first; i < first + n; ++i)
       sum[is_turn(body, i)] += rounding[i];
+    if (bodies.is_rigid(body))
+      {
+        const auto [force, arm] = of_those_met(body, rounding);
+        sum[0] += force;
+        sum[1] += force * arm;
+      }
     // Contacts hand on what the springs of other bodies have.
     for (unsigned int b = 0; b < bodies.structures.size(); ++b)
       for (Index i = plain.offset(b);

@@ -9,6 +9,7 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/verification/claim.h"
 
+#include <utility>
 #include <vector>
 
 namespace conetact::verification
@@ -62,6 +63,11 @@ namespace conetact::verification
     /** Ways of bodies that are no less than such displacements of all dofs. */
     void
     lengthen(std::vector<double> &ways, const Eigen::VectorXd &u) const;
+    /** Rounding of forces on the bodies that a rigid one meets, and the longest
+     * arm that they have on it. */
+    std::pair<double, double>
+    of_those_met(const unsigned int     body,
+                 const Eigen::VectorXd &rounding) const;
     double
     of_body(const unsigned int     body,
             const Claim           &claim,
