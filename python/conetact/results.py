@@ -140,7 +140,8 @@ class Result:
     def outcome(self) -> tuple[str, float]:
         """How a load path ends, and the load parameter of that.
 
-        >>> conetact.run("parameter-files/pushed-block.prm").outcome
+        >>> words, parameter = conetact.run("parameter-files/pushed-block.prm").outcome
+        >>> words, round(parameter, 9)
         ('limit load: sliding', 0.5)
         """
         return self._load_path()[1]
