@@ -140,13 +140,35 @@ namespace conetact::contact
     return found == numbers->end() ? 0. : depths[found->second];
   }
 
+  /* Opponents that a common turn has moved have weights in the cells behind the
+     face as well: what is on the surface counts for all. */
+  std::vector<std::pair<Eigen::Index, double>>
+  WornSides::on_surface(const pairing::ContactNode &node) const
+  {
+    std::vector<std::pair<Eigen::Index, double>> weights;
+    const Numbers *const numbers = numbers_of(node.contact);
+    if (numbers == nullptr)
+      return weights;
+    double sum = 0;
+    for (const auto &[master, weight] : node.masters)
+      if (const auto found = numbers->find(master); found != numbers->end())
+        {
+          weights.emplace_back(found->second, weight);
+          sum += weight;
+        }
+    for (auto &[number, weight] : weights)
+      weight /= sum;
+    return weights;
+  }
+
   double
   WornSides::faced(const pairing::ContactNode &node,
                    const Eigen::VectorXd      &depths) const
   {
+    AssertDimension(depths.size(), n_nodes());
     double sum = 0;
-    for (const auto &[master, weight] : node.masters)
-      sum += weight * depth(node.contact, master, depths);
+    for (const auto &[number, weight] : on_surface(node))
+      sum += weight * depths[number];
     return sum;
   }
 
@@ -155,17 +177,8 @@ namespace conetact::contact
                   const double                volume,
                   Eigen::VectorXd            &depths) const
   {
-    const Numbers *const numbers = numbers_of(node.contact);
-    Assert(numbers != nullptr, dealii::ExcMessage("The master has a field."));
     AssertDimension(depths.size(), n_nodes());
-    for (const auto &[master, weight] : node.masters)
-      {
-        const auto found = numbers->find(master);
-        Assert(found != numbers->end(),
-               dealii::ExcMessage("What is faced is on the surface."));
-        if (found != numbers->end())
-          depths[found->second] +=
-            weight * volume / (*this)[found->second].area;
-      }
+    for (const auto &[number, weight] : on_surface(node))
+      depths[number] += weight * volume / (*this)[number].area;
   }
 } // namespace conetact::contact

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace conetact::contact
@@ -76,6 +77,9 @@ namespace conetact::contact
     add_surface(const unsigned int         body,
                 const bodies::Structure   &structure,
                 const bodies::BoundaryIds &ids);
+    /** Numbers and weights of the master's nodes that a contact node faces. */
+    std::vector<std::pair<Eigen::Index, double>>
+    on_surface(const pairing::ContactNode &node) const;
     const Numbers *
     numbers_of(const unsigned int contact) const
     {
