@@ -182,7 +182,7 @@ namespace
       grid.points       = {Point<3>(u, w, 0)};
       grid.point_fields = {{"displacement", 1, {u}}};
       grid.cell_ids     = {{"body", {}}};
-      add_contact(run, record(increment), 0, grid);
+      add_contact(Skin(), run, record(increment), 0, grid);
       return grid.text(time, increment);
     }
 
@@ -610,7 +610,7 @@ namespace
                             r.rows[0].node,
                             r.rows[0].node,
                             VtuGrid::no_node};
-    add_contact(run, r, 0, grid);
+    add_contact(Skin(), run, r, 0, grid);
     ASSERT_EQ(grid.point_ids.size(), 1u);
     const int state = static_cast<int>(r.rows[0].state);
     EXPECT_EQ(grid.point_ids[0].name, "state");
@@ -635,7 +635,7 @@ namespace
 
     run.contacts = {};
     VtuGrid alone;
-    add_contact(run, r, 0, alone);
+    add_contact(Skin(), run, r, 0, alone);
     EXPECT_TRUE(alone.point_fields.empty() && alone.point_ids.empty());
   }
 
