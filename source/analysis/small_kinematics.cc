@@ -105,11 +105,12 @@ namespace conetact::analysis
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
-        const pairing::Contact &contact = scene.contacts[c];
-        if (contact.slides || !scene.kinematics[c].may_tilt())
+        const pairing::Contact &contact     = scene.contacts[c];
+        const bool              on_obstacle = contact.obstacle != nullptr;
+        if (contact.slides ? !on_obstacle : !scene.kinematics[c].may_tilt())
           continue;
         const bodies::Structure &body = *model.bodies.structures[contact.body];
-        if (contact.obstacle != nullptr)
+        if (on_obstacle)
           {
             note_facets(c, body.surface(contact.ids).faces);
             continue;
@@ -164,8 +165,7 @@ namespace conetact::analysis
   SmallKinematics::rolled(const pairing::ContactNode &node,
                           const IncrementEnd         &end) const
   {
-    if (node.obstacle == nullptr || node.slides ||
-        model.frames.has(node.body) ||
+    if (node.obstacle == nullptr || model.frames.has(node.body) ||
         facets.count({node.contact, node.node}) == 0)
       return 0;
     const Tensor<1, 3> turn = model.motions.turn(end.amounts, node.body);
@@ -173,7 +173,8 @@ namespace conetact::analysis
   }
 
   /* Nodes that press keep pressing as a round body rolls, at the arm of their
-     undeformed places: a moment that nothing real has. */
+     undeformed places: a moment that nothing real has. So it is with finite
+     sliding where a body has no frame, for what it is tied to has none. */
   void
   SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
   {
@@ -199,7 +200,11 @@ namespace conetact::analysis
                    to_text(node.position) +
                    (is_far ?
                       ", more than its faces turn from one to the next" :
-                      ", which makes a moment beside that of its friction")});
+                      ", which makes a moment beside that of its friction") +
+                   (node.slides ? ", and what ties or couples it does not turn "
+                                  "with it. Use a smaller motion, or hold it "
+                                  "by other means" :
+                                  "")});
         }
   }
 

@@ -19,6 +19,7 @@ def couplings(laws):
     one_rigid_body(laws)
     carried_along(laws)
     turned(laws)
+    wheel(laws)
     as_written_by_hand(laws)
     ring(laws)
     beside_contacts(laws)
@@ -143,6 +144,17 @@ def carried_along(laws):
         laws.check(f"{dim}D, {backend}: moved as a whole, the point", math.dist(u, exact) / math.hypot(*exact), 1e-12)
         laws.check("  its turn", math.dist(rot, w) / math.hypot(*w), 1e-11)
         laws.check("  strain energy", abs(run.increments[-1]["strain_energy"]) / YOUNG, 1e-24)
+
+
+def wheel(laws):
+    """What a rigid coupling holds does not turn with finite sliding: a wheel that would roll away is refused, not held."""
+    tyre = {"Mesh": {"Generator": "hyper_shell", "Arguments": "0, 1 : 0.4 : 1 : 160 : true"},
+            "Material": {"Young modulus": 1e4, "Poisson ratio": .3}}
+    scene = {"Dimension": 2, "Body wheel": tyre, "Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4),
+             "Load axle": load("force", "2.5*max(t - 1, 0) ; -10*min(t, 1)", 0, "wheel", Point="0, 1", Coupling="rigid"),
+             "Time": {"End": 2, "Increments": 8}, "Output": {"VTU": 0}}
+    done, _ = laws.start(scene)
+    laws.demand(f"pulled by a quarter of its weight: {done.stderr.strip()}", done.returncode == 2 and "rolls by" in done.stderr)
 
 
 def turned(laws):
