@@ -363,11 +363,12 @@ namespace conetact::iterative
         above.for_row(i, [&](const int j, const auto &C_ij) {
           while (level.P.number[of_j] != j)
             ++of_j;
-          const auto       &P    = level.P.blocks;
-          const std::size_t from = P.start[of_j], n = P.start[of_j + 1] - from;
-          products.make(C_ij.data(), P.block(of_j, from).data(), n);
+          const auto       &all  = level.P.blocks;
+          const std::size_t from = all.start[of_j],
+                            n    = all.start[of_j + 1] - from;
+          products.make(C_ij.data(), all.block(of_j, from).data(), n);
           for (std::size_t k = 0; k < n; ++k)
-            row.add(P.column[from + k], products[k]);
+            row.add(all.column[from + k], products[k]);
         });
         const std::vector<std::size_t> order = row.order();
         level.P.for_row(i, [&](const int a, const auto &P_ia) {
