@@ -375,15 +375,11 @@ namespace conetact::analysis
   /* The law holds for the contacts as they were linearised. This asks whether
      those are still the right ones. */
   std::string
-  Acceptance::outdated(const PendingIncrement      &increment,
-                       const verification::Finding &finding,
-                       const Eigen::VectorXd       &w,
-                       const contact::KeptByLaws   &kept)
+  Acceptance::outdated(const IncrementEnd &end, const contact::KeptByLaws &kept)
   {
-    const auto [moved, deformed] = motions_and_deformation(increment, w);
-    if (const std::string why =
-          leave_small({increment, finding, deformed, moved});
-        !why.empty())
+    const PendingIncrement      &increment = end.increment;
+    const verification::Finding &finding   = end.finding;
+    if (const std::string why = leave_small(end); !why.empty())
       return why;
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
@@ -411,7 +407,9 @@ namespace conetact::analysis
     if (!finding.why.empty())
       return finding.why;
     const contact::KeptByLaws kept = kept_by_laws(increment, model.points);
-    if (const std::string why = outdated(increment, finding, w, kept);
+    const auto [moved, deformed]   = motions_and_deformation(increment, w);
+    if (const std::string why =
+          outdated({increment, finding, deformed, moved}, kept);
         !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
@@ -456,7 +454,6 @@ namespace conetact::analysis
                          finding,
                          record.time),
         increment.state.r);
-    const auto [moved, deformed] = motions_and_deformation(increment, w);
     warnings.check_size(moved, deformed);
     records.observe(record, *finding.u);
     if (drawn)

@@ -146,10 +146,7 @@ namespace conetact::analysis
     void
     warn_of_tilt(const IncrementEnd &end);
     std::string
-    outdated(const PendingIncrement      &increment,
-             const verification::Finding &finding,
-             const Eigen::VectorXd       &w,
-             const contact::KeptByLaws   &kept);
+    outdated(const IncrementEnd &end, const contact::KeptByLaws &kept);
     std::string
     wrong_at_supports(const PendingIncrement      &increment,
                       const verification::Finding &finding) const;

@@ -406,9 +406,9 @@ namespace conetact::bodies
     groups.notes = file.notes;
     if (!taken->note.empty())
       groups.notes.push_back(taken->note);
-    if (const std::string names = groups_of_cells(file, dim);
-        parameters.group.empty() && !names.empty())
-      groups.notes.push_back("groups of its cells: " + names);
+    if (parameters.group.empty())
+      if (const std::string names = groups_of_cells(file, dim); !names.empty())
+        groups.notes.push_back("groups of its cells: " + names);
     const BentEdges bent = bent_edges(file, cells);
     groups.caution       = to_sentence(bent,
                                  parameters.file.filename().string(),
