@@ -348,10 +348,11 @@ namespace conetact::analysis
                uneven(c, closed);
     if (second_degree[c])
       return "its curved faces are of second degree (Element = Q2 or P2), "
-             "whose edges are straight: their middle nodes lie " +
+             "whose edges are straight: middle nodes of both sides together lie "
+             "up to " +
              to_text(facet) +
-             " off the curve, and pressures go up and down by about 13 % from "
-             "node to node. Use Element = Q1 there.";
+             " off the curves, and pressures go up and down from node to node. "
+             "Use Element = Q1 there, or bent cells (Order = 2 of a drawing).";
     const double gap = closed_gap(closed.gaps, closed.normals);
     if (!is_given && facet > large_facet * gap)
       return "facets stand off its curved surfaces by " + to_text(facet) +

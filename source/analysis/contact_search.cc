@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/contact/free_spins.h"
 #include "conetact/pairing/found_nodes.h"
 #include "conetact/pairing/node_weights.h"
 
@@ -74,6 +75,7 @@ namespace conetact::analysis
   ContactSearch::linearised(Found found) const
   {
     contact::align_with_supports(model.bodies, found.nodes);
+    contact::point_to_axes(model.bodies, found.nodes);
     keep_normals_of_held(found.nodes);
     contacts.linearise(found.nodes);
     return found;
@@ -127,22 +129,30 @@ namespace conetact::analysis
     return linearised(std::move(found));
   }
 
+  namespace
+  {
+    constexpr double with_friction = 20, without = 170; // degrees
+
+    /** Whether there is friction where nodes slide. */
+    bool
+    rub(const std::vector<pairing::ContactNode> &nodes)
+    {
+      return std::any_of(nodes.begin(), nodes.end(), [](const auto &node) {
+        return node.slides && node.mu_1 + node.mu_2 > 0;
+      });
+    }
+  } // namespace
+
   /* Friction opposes the slip from one end of an increment to the other: a
      chord, which a turn by half a circle would reverse. Without friction it
      must be clear which way bodies turn. */
   std::string
   ContactSearch::turns_too_far(const double t) const
   {
-    constexpr double with_friction = 20, without = 170; // degrees
-    const auto      &nodes = model.points.nodes();
-    const auto       some  = [&](const auto &holds) {
-      return std::any_of(nodes.begin(), nodes.end(), holds);
-    };
-    if (!some([](const auto &node) { return node.slides; }))
+    const auto &nodes = model.points.nodes();
+    if (!model.points.slide())
       return "";
-    const bool   rubs    = some([](const auto &node) {
-      return node.slides && node.mu_1 + node.mu_2 > 0;
-    });
+    const bool   rubs    = rub(nodes);
     const double largest = rubs ? with_friction : without;
     double       turn    = 0;
     const auto   note    = [&](const Expression &angle) {
@@ -164,6 +174,24 @@ namespace conetact::analysis
                    "what they meet on such a way is not known") +
            ", also in parts of the increment. Use increments with turns of " +
            to_text(largest) + " degrees at most";
+  }
+
+  /* What supports turn has been asked for; bodies roll beside it by less. */
+  std::string
+  ContactSearch::rolls_on() const
+  {
+    constexpr double most = 1.5 * with_friction * M_PI / 180;
+    const auto      &now  = model.bodies.frames;
+    for (std::size_t b = 0; b < now.size() && b < start.frames.size(); ++b)
+      if (pairing::rotation_vector(now[b].rotation *
+                                   transpose(start.frames[b].rotation))
+              .norm() > most &&
+          rub(model.points.nodes()))
+        return model.bodies.called(b) + " rolls on and on, by more than " +
+               to_text(1.5 * with_friction) +
+               " degrees in the smallest part of the increment, as where "
+               "nothing holds it. Use smaller loads or increments, or hold it";
+    return "";
   }
 
   ContactSearch::Found

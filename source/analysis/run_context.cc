@@ -144,12 +144,11 @@ namespace conetact::analysis
                        const Eigen::VectorXd &undeformed,
                        const double           t) const
   {
-    const Tensor<2, 3> turn = model.bodies.frames[load.body].rotation;
-    if (!load.is_total() ||
-        turn == Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()))
+    const pairing::RigidMotion &frame = model.bodies.frames[load.body];
+    if (!load.is_total() || !frame.has_turned())
       return undeformed;
     Eigen::VectorXd f = Eigen::VectorXd::Zero(undeformed.size());
-    load.add(*model.bodies.structures[load.body], t, f, turn);
+    load.add(*model.bodies.structures[load.body], t, f, frame.rotation);
     return f;
   }
 

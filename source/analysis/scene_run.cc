@@ -190,13 +190,22 @@ namespace conetact::analysis
       ProcessSession::set_threads(scene.threads);
       if (!progress.lock)
         log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
-      scene.build(adaptive.refinements());
-      progress.near_sides = scene.near_sides;
-      log.time("bodies, obstacles, contacts");
-      if (scene.path.follows)
-        built.analysis = std::make_unique<PathAnalysis>(scene, log);
-      else
-        built.analysis = std::make_unique<IncrementAnalysis>(scene, log);
+      try
+        {
+          scene.build(adaptive.refinements());
+          progress.near_sides = scene.near_sides;
+          log.time("bodies, obstacles, contacts");
+          if (scene.path.follows)
+            built.analysis = std::make_unique<PathAnalysis>(scene, log);
+          else
+            built.analysis = std::make_unique<IncrementAnalysis>(scene, log);
+        }
+      catch (const InputError &) // often for want of what this lists
+        {
+          if (line.dry_run)
+            report_boundaries(scene.bodies, log);
+          throw;
+        }
       give_back_memory();
       log.time("contact nodes and supports");
       built.analysis->report();

@@ -67,6 +67,8 @@ namespace conetact::analysis
                   false,
                   true};
         run.model.frames.move(moved);
+        if (const std::string why = solver.search.rolls_on(); !why.empty())
+          return {why, false, true};
         n_slow += is_slow;
         if (n_slow > 1) // from now on
           found =

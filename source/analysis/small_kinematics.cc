@@ -173,12 +173,13 @@ namespace conetact::analysis
   }
 
   /* Nodes that press keep pressing as a round body rolls, at the arm of their
-     undeformed places: a moment that nothing real has. So it is with finite
-     sliding where a body has no frame, for what it is tied to has none. */
+     undeformed places: a moment that nothing real has. Facets hold a body
+     until it has turned by half of one. So it is with finite sliding where a
+     body has no frame, for what it is tied to has none. */
   void
   SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
   {
-    constexpr double little = .2; // of what friction may do
+    constexpr double little = .05; // of what friction may do
     if (scene.path.follows)
       return;
     const auto closed = [&](const std::size_t i) {
@@ -191,7 +192,7 @@ namespace conetact::analysis
           const double turn = rolled(node, end), mu = model.points[i].mu;
           if (turn == 0)
             continue;
-          const bool is_far = turn > facets.at({node.contact, node.node});
+          const bool is_far = turn > .5 * facets.at({node.contact, node.node});
           if (is_far || (mu > 0 && turn > little * mu))
             found.emplace(
               node.contact,
@@ -199,7 +200,8 @@ namespace conetact::analysis
                    to_text(turn) + " rad at its contact node " +
                    to_text(node.position) +
                    (is_far ?
-                      ", more than its faces turn from one to the next" :
+                      ", more than half of what its faces turn by from one "
+                      "to the next" :
                       ", which makes a moment beside that of its friction") +
                    (node.slides ? ", and what ties or couples it does not turn "
                                   "with it. Use a smaller motion, or hold it "

@@ -122,36 +122,38 @@ namespace conetact::analysis
     return shortest;
   }
 
-  double
-  Warnings::largest_strain(const unsigned int body, const Eigen::VectorXd &w)
+  /* Over the distance of two nodes of an element: how much they move apart, and
+     how far they move at all, which is what their line turns by besides. */
+  Warnings::Strained
+  Warnings::strained(const unsigned int body, const Eigen::VectorXd &w)
   {
     AssertDimension(w.size(), model.coordinates.n_dofs());
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset = model.coordinates.offset(body);
     const Index        n      = model.coordinates.offset(body + 1) - offset;
+    Strained           most;
     if (structure.elements().largest_stretch(w.segment(offset, n)) <=
         large_strain * shortest_side(body))
-      return 0;
-    double largest = 0; // square, until the end
+      return most;
     structure.elements().for_each_connection(
       [&](const std::vector<unsigned int> &dofs) {
         const unsigned int a = dofs.front() / n_c;
         for (const unsigned int dof : dofs)
           if (const unsigned int b = dof / n_c; b != a)
             {
-              double stretch = 0;
+              Tensor<1, 3> moved;
               for (unsigned int c = 0; c < dim; ++c)
-                stretch +=
-                  std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c],
-                           2);
-              largest =
-                std::max(largest,
-                         stretch / structure.position(a).distance_square(
-                                     structure.position(b)));
+                moved[c] = w[offset + b * n_c + c] - w[offset + a * n_c + c];
+              const Tensor<1, 3> side =
+                structure.position(b) - structure.position(a);
+              most.strain =
+                std::max(most.strain,
+                         std::abs(moved * side) / side.norm_square());
+              most.turn = std::max(most.turn, moved.norm() / side.norm());
             }
       });
-    return std::sqrt(largest);
+    return most;
   }
 
   void
@@ -184,11 +186,15 @@ namespace conetact::analysis
                   to_text(most / size) + " of its size." + theory);
         // cells may be small: only where the deformation allows for it
         if (most > 1e-4 * size && said.count("strain " + name) == 0)
-          if (const double strain = largest_strain(body, w);
-              strain > large_strain)
+          if (const Strained by = strained(body, w);
+              std::max(by.strain, by.turn) > large_strain)
             first("strain " + name,
-                  name + "is strained by about " + to_text(strain) + "." +
-                    theory);
+                  name +
+                    (by.strain > large_strain ?
+                       "is strained by about " + to_text(by.strain) :
+                       "bends until parts of it turn by about " +
+                         to_text(by.turn) + " rad") +
+                    "." + theory);
       }
     warn(sentences, log);
   }

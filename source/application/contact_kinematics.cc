@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/free_spins.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/pairing/adjusted_gaps.h"
 #include "conetact/pairing/flatness.h"
@@ -219,6 +220,7 @@ namespace conetact::application
                                structures,
                                scene.bodies.contact_nodes);
         contact::align_with_supports(scene.bodies, scene.bodies.contact_nodes);
+        contact::point_to_axes(scene.bodies, scene.bodies.contact_nodes);
         const auto held = contact::why_held_nodes_do_not_slide(scene.bodies);
         again           = false;
         for (unsigned int c = 0; c < scene.contacts.size(); ++c)

@@ -12,6 +12,7 @@
 #include "conetact/bodies/body_table.h"
 #include "conetact/contact/common_turns.h"
 #include "conetact/contact/free_obstacles.h"
+#include "conetact/contact/free_spins.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/contact/preloads.h"
 #include "conetact/pairing/adjusted_gaps.h"
@@ -143,6 +144,8 @@ namespace conetact::application
     hold_axes(bodies);
     name_sides(contacts, *this);
     check_turning_supports(*this, *this);
+    bodies.round_sides =
+      contact::find_free_spins(contacts, loads, times, bodies);
     find_contact_nodes();
     bodies.at_rest = bodies_at_rest(*this);
     entries.prm.enter_subsection("Output");

@@ -96,11 +96,14 @@ namespace conetact::contact
   }
 
   /* Elements that turn have no frame here, and foundations and supports along
-     some directions do not turn with the body. */
+     some directions do not turn with the body. A free obstacle turns with what
+     is tied to it; by itself its motion is that of amounts. */
   bool
   BodyFrames::may_turn(const unsigned int body) const
   {
     AssertIndexRange(body, bodies.structures.size());
+    if (bodies.is_rigid(body))
+      return bodies.is_free_obstacle(body) && is_driven(body);
     if (!bodies.deforms(body) ||
         bodies.structures[body]->n_components() > bodies.dim)
       return false;
@@ -118,6 +121,39 @@ namespace conetact::contact
                                 (node.body != body &&
                                  (node.masters.empty() || node.master != body));
                        });
+  }
+
+  /* Its supports hold axes of the scene, which must be the same in a frame that
+     turns: all of them, none, or what a turn about one axis leaves alone. */
+  bool
+  BodyFrames::holds_in_any_frame(const unsigned int obstacle) const
+  {
+    const NodeRule *const rule = rules.find(obstacle, 0);
+    if (rule == nullptr)
+      return true;
+    std::vector<Tensor<1, 3>> axes; // that it may turn about
+    for (unsigned int c = bodies.dim; c < (bodies.dim == 2 ? 3 : 6); ++c)
+      if (!rule->holds_rotation(c))
+        axes.emplace_back()[bodies.dim == 2 ? 2 : c - 3] = 1;
+    const std::vector<Tensor<1, 3>> held = directions(rule->held);
+    if (axes.empty() || held.empty() || held.size() == bodies.dim)
+      return axes.size() != 2;
+    return axes.size() == 1 &&
+           is_spanned(axes.front(), held) == (held.size() == 1);
+  }
+
+  bool
+  BodyFrames::is_driven(const unsigned int obstacle) const
+  {
+    bool is_tied = false;
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (!node.masters.empty() && node.master == obstacle)
+        {
+          if (!turns_along(node, bodies))
+            return false;
+          is_tied = true;
+        }
+    return is_tied && holds_in_any_frame(obstacle);
   }
 
   void

@@ -83,7 +83,7 @@ namespace conetact::contact
       {
         const Tensor<1, 3> d = difference_of_sides(
           *point.node, [&](const unsigned int body, const unsigned int node) {
-            return coordinates.at_node(u, body, node);
+            return bodies.in_space(body, coordinates.at_node(u, body, node));
           });
         for (const Tensor<1, 3> &dual : point.dual)
           v[row++] = d * dual;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace conetact::contact
@@ -45,22 +46,25 @@ namespace conetact::contact
     }
 
     /**
-     * Tells whether nodes with unknowns of their own contacts are masters, too:
-     * these unknowns are relative to masters, which must be relative to nothing
-     * else.
+     * A node that has unknowns of its own contact, and has those of another
+     * node relative to it: what unknowns are relative to must be relative to
+     * nothing else. Or none.
      */
-    bool
-    masters_are_slaves(const std::vector<const ContactPoint *> &points)
+    const pairing::ContactNode *
+    faced_slave(const std::vector<const ContactPoint *> &points)
     {
-      Nodes slaves;
+      std::map<std::pair<unsigned int, unsigned int>,
+               const pairing::ContactNode *>
+        slaves;
       for (const ContactPoint *point : points)
         if (!point->node->masters.empty() || point->node->is_bound())
-          slaves.insert({point->node->body, point->node->node});
+          slaves[{point->node->body, point->node->node}] = point->node;
       for (const ContactPoint *point : points)
         for (const auto &[node, weight] : point->node->masters)
-          if (slaves.count({point->node->master, node}) > 0)
-            return true;
-      return false;
+          if (const auto found = slaves.find({point->node->master, node});
+              found != slaves.end())
+            return found->second;
+      return nullptr;
     }
 
     /**
@@ -203,13 +207,15 @@ namespace conetact::contact
     if (points.traits().has_prescribed_slip)
       return "knows no friction along what supports hold";
     if (has_tangled_means(bodies, points, with_axes, supports))
-      return "knows means over nodes of a mortar surface only where they "
-             "hang on no others and meet nothing by themselves, as on a slave "
-             "that its master covers: let the narrower body be the slave, refine "
-             "its surface evenly, or set Pairing = node to face";
-    if (masters_are_slaves(with_axes))
-      return "wants nodes of one body to face those of another, but not both "
-             "each other";
+      return "knows means over nodes, of a mortar surface or of faces of second "
+             "degree, only where they hang on no others and meet nothing by "
+             "themselves, as on a flat side that the other one covers: let the "
+             "narrower body be the slave, refine its surface evenly, or set "
+             "Pairing = node to face or Element = Q1";
+    if (const pairing::ContactNode *node = faced_slave(with_axes))
+      return "wants each node to face others or to be faced, and that at " +
+             to_text(node->position) + " of " + bodies.called(node->body) +
+             " does both, in two contacts";
     return "";
   }
 } // namespace conetact::contact

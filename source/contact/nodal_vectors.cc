@@ -60,21 +60,36 @@ namespace conetact::contact
 
 
 
-  /* Rotations among dofs stay as they are: a body that has some has a frame
-     that does not turn (BodyFrames::may_turn). */
+  /* Rotations among dofs of bodies stay as they are: a body that has some has a
+     frame that does not turn (BodyFrames::may_turn). Of a free obstacle only
+     the first node has some. */
   Eigen::VectorXd
-  NodalVectors::map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const
+  NodalVectors::map_nodes(Eigen::VectorXd &&x,
+                          const NodeMap    &map,
+                          const TurnMap    &map_turn) const
   {
     Assert(x.size() == n_dofs() || x.size() == 0,
            dealii::ExcMessage("Vectors are those of all dofs, or empty."));
     if (!bodies.frames.empty() && x.size() > 0)
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-          {
-            const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
-            for (unsigned int c = 0; c < bodies.dim; ++c)
-              x[dof(body, i) + c] = v[c];
-          }
+        {
+          for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+            {
+              const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
+              for (unsigned int c = 0; c < bodies.dim; ++c)
+                x[dof(body, i) + c] = v[c];
+            }
+          if (!bodies.is_free_obstacle(body))
+            continue;
+          auto turn =
+            x.segment(dof(body, 0) + bodies.dim, bodies.dim == 2 ? 1 : 3);
+          Tensor<1, 3> v;
+          for (unsigned int c = 0; c < turn.size(); ++c)
+            v[bodies.dim == 2 ? 2 : c] = turn[c];
+          v = map_turn(body, v);
+          for (unsigned int c = 0; c < turn.size(); ++c)
+            turn[c] = v[bodies.dim == 2 ? 2 : c];
+        }
     return std::move(x);
   }
 
@@ -84,12 +99,14 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::displacements(Eigen::VectorXd u) const
   {
-    return map_nodes(std::move(u),
-                     [&](const unsigned int  body,
-                         const unsigned int  node,
-                         const Tensor<1, 3> &v) {
-                       return bodies.displacement(body, node, v);
-                     });
+    return map_nodes(
+      std::move(u),
+      [&](const unsigned int  body,
+          const unsigned int  node,
+          const Tensor<1, 3> &v) { return bodies.displacement(body, node, v); },
+      [&](const unsigned int body, const Tensor<1, 3> &turn) {
+        return bodies.frames[body].turn_to_space(turn);
+      });
   }
 
 
@@ -98,12 +115,14 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::in_frames(Eigen::VectorXd u) const
   {
-    return map_nodes(std::move(u),
-                     [&](const unsigned int  body,
-                         const unsigned int  node,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_frame(body, node, v);
-                     });
+    return map_nodes(
+      std::move(u),
+      [&](const unsigned int  body,
+          const unsigned int  node,
+          const Tensor<1, 3> &v) { return bodies.in_frame(body, node, v); },
+      [&](const unsigned int body, const Tensor<1, 3> &turn) {
+        return bodies.frames[body].turn_to_own(turn);
+      });
   }
 
 
@@ -111,12 +130,15 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::forces_in_space(Eigen::VectorXd f) const
   {
-    return map_nodes(std::move(f),
-                     [&](const unsigned int body,
-                         const unsigned int,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_space(body, v);
-                     });
+    const auto map = [&](const unsigned int body, const Tensor<1, 3> &v) {
+      return bodies.in_space(body, v);
+    };
+    return map_nodes(
+      std::move(f),
+      [&](const unsigned int body, const unsigned int, const Tensor<1, 3> &v) {
+        return map(body, v);
+      },
+      map);
   }
 
 
@@ -124,12 +146,15 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::forces_in_frames(Eigen::VectorXd f) const
   {
-    return map_nodes(std::move(f),
-                     [&](const unsigned int body,
-                         const unsigned int,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_frame(body, v);
-                     });
+    const auto map = [&](const unsigned int body, const Tensor<1, 3> &v) {
+      return bodies.in_frame(body, v);
+    };
+    return map_nodes(
+      std::move(f),
+      [&](const unsigned int body, const unsigned int, const Tensor<1, 3> &v) {
+        return map(body, v);
+      },
+      map);
   }
 
 

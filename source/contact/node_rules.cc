@@ -303,8 +303,10 @@ namespace conetact::contact
   {
     const Point<3> p = bodies.structures[rule.body]->position(rule.node);
     // Bodies that turn far are held in all directions, or not at all: frames
-    // take displacements as a whole, not a component of them.
-    if (bodies.frames.empty() || rule.held.size() < bodies.dim)
+    // take displacements as a whole, not a component of them. Of obstacles they
+    // leave what is held as it is.
+    if (bodies.frames.empty() ||
+        (rule.held.size() < bodies.dim && !bodies.is_rigid(rule.body)))
       return displacement(held, p, t);
     Tensor<1, 3> u;
     for (const HeldDirection &h : rule.held)

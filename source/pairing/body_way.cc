@@ -4,6 +4,7 @@
 #include "conetact/pairing/body_way.h"
 
 #include "conetact/bodies/placement.h"
+#include "conetact/pairing/rigid_motion.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -41,18 +42,11 @@ namespace conetact::pairing
                    const Tensor<2, 3>          &rotation)
     : start(std::move(from))
   {
-    Tensor<1, 3> spin; // 2 sin(angle) times the axis
-    for (unsigned int d = 0; d < 3; ++d)
-      spin[d] =
-        rotation[(d + 2) % 3][(d + 1) % 3] - rotation[(d + 1) % 3][(d + 2) % 3];
-    // |spin| = 2 sin(angle), tr Q - 1 = 2 cos(angle): the arc cosine alone
-    // would lose half the digits of small angles. At half a turn the spin
-    // vanishes, and the axis is lost with it.
-    const double turn = std::atan2(spin.norm(), trace(rotation) - 1);
-    if (turn > no_turn && spin.norm() > 0)
+    if (const Tensor<1, 3> turn = rotation_vector(rotation);
+        turn.norm() > no_turn)
       {
-        axis  = spin / spin.norm();
-        angle = turn;
+        angle = turn.norm();
+        axis  = turn / angle;
       }
     const Tensor<2, 3> Q = rotation_by(axis, angle);
     const Tensor<1, 3> b = mean(to) - Q * mean(start);

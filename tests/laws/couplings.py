@@ -19,7 +19,9 @@ def couplings(laws):
     one_rigid_body(laws)
     carried_along(laws)
     turned(laws)
+    lever(laws)
     wheel(laws)
+    driven_wheel(laws)
     as_written_by_hand(laws)
     ring(laws)
     beside_contacts(laws)
@@ -146,15 +148,72 @@ def carried_along(laws):
         laws.check("  strain energy", abs(run.increments[-1]["strain_energy"]) / YOUNG, 1e-24)
 
 
+def lever(laws):
+    """A coupling turns along with what it holds: loads on it keep their directions, a turned bar answers as one that is not."""
+    for (dim, axis), backend in itertools.product(((2, (0.0, 0.0, 1.0)), (3, (1.0, 2.0, 3.0))), BACKENDS):
+        m, hub = rotation(axis, 90.0), (.2, -.4, .3)[:dim]
+        point = (LENGTH + .5, .8, .1)[:dim]
+        force, moment = three((.3, -.2, .1)[:dim]), (0, 0, .1) if dim == 2 else (-.1, .2, .05)
+
+        def scene(degrees, turn):
+            acting = [f"{x!r}*max(t - 1, 0)" for x in apply(turn, force)[:dim]]
+            turning = [f"{x!r}*max(t - 1, 0)" for x in (moment[2:] if dim == 2 else apply(turn, moment))]
+            return bar(dim, backend, .3, "Q1", Time={"Stages": "1 : 3, 2 : 1"},
+                       **{"Support left": {"Body": "block", "Boundary ids": 0, "Turn": f"{degrees!r}*min(t, 1)", "Turn axis": axis,
+                                           "Reference point": hub},
+                          "Load end": at_point("force", acting, point), "Load bend": at_point("moment", turning, point)})
+
+        still, far = laws.run(scene(0.0, rotation(axis, 0.0)), bounds=False), laws.run(scene(90.0, m), bounds=False)
+        a, b = (run.increments[-1] for run in (far, still))
+        laws.check(f"{dim}D, {backend}, a lever turned by a quarter: strain energy", abs(a["strain_energy"] / b["strain_energy"] - 1), 1e-9)
+        laws.check("  before it is loaded", far.increments[2]["strain_energy"] / b["strain_energy"], 1e-20)
+        for kind in "fm":
+            u, v = ([row[f"coupling_end_{kind}_{c}"] for c in "xyz"] for row in (a, b))
+            w = apply(m, v) if kind == "f" else u
+            laws.check(f"  {kind} on the coupling", math.dist(u, w), 1e-9)
+        (u, turn), (v, small) = motion(far), motion(still)
+        there = plus(three(hub), apply(m, plus(three(point), v, scaled(-1, three(hub)))))
+        laws.check("  the place of the point", math.dist(plus(three(point), u), there), 1e-9)
+        angle = math.hypot(*turn)
+        whole = product(m, rotation(small, math.degrees(math.hypot(*small))))
+        found = rotation(turn, math.degrees(angle))
+        laws.check("  its turn", max(math.dist(p, q) for p, q in zip(whole, found)), 1e-9)
+
+
+def product(a, b):
+    return [[dot(row, column) for column in zip(*b)] for row in a]
+
+
+FACET = math.pi / 48  # half the angle from one to the next
+TYRE = {"Mesh": {"Generator": "hyper_shell", "Arguments": "0, 1 : 0.4 : 1 : 48 : true"}, "Material": {"Young modulus": 1e4, "Poisson ratio": .3}}
+
+
 def wheel(laws):
-    """What a rigid coupling holds does not turn with finite sliding: a wheel that would roll away is refused, not held."""
-    tyre = {"Mesh": {"Generator": "hyper_shell", "Arguments": "0, 1 : 0.4 : 1 : 160 : true"},
-            "Material": {"Young modulus": 1e4, "Poisson ratio": .3}}
-    scene = {"Dimension": 2, "Body wheel": tyre, "Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4),
-             "Load axle": load("force", "2.5*max(t - 1, 0) ; -10*min(t, 1)", 0, "wheel", Point="0, 1", Coupling="rigid"),
-             "Time": {"End": 2, "Increments": 8}, "Output": {"VTU": 0}}
-    done, _ = laws.start(scene)
-    laws.demand(f"pulled by a quarter of its weight: {done.stderr.strip()}", done.returncode == 2 and "rolls by" in done.stderr)
+    """A wheel that is pulled by its axle rolls away, but for the moment of its facets."""
+    scene = {"Dimension": 2, "Body wheel": TYRE, "Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4),
+             "Load axle": load("force", f"{10 * FACET!r}*0.5*t ; -10*min(t, 1)", 0, "wheel", Point="0, 1", Coupling="rigid"),
+             "Time": {"End": 1.5, "Increments": 3}, "Output": {"VTU": 0}}
+    for backend in BACKENDS:
+        row = laws.run(merge(scene, {"Solver": {"Backend": backend}}), bounds=False).increments[-1]
+        laws.check(f"{backend}, pulled by less than its facets hold: balance", row["balance"], 1e-11)
+    done, _ = laws.start(merge(scene, {"Load axle": {"Value": "2.5*max(t - 1, 0) ; -10*min(t, 1)"}}))
+    laws.demand(f"pulled by an eighth of its weight: {done.stderr.strip()}", done.returncode == 2 and "rolls" in done.stderr)
+
+
+def driven_wheel(laws):
+    """The axle is pressed down and drawn along: the wheel rolls, and withstands no more than its facets do."""
+    for drawn in (.1, 1.0):
+        scene = {"Dimension": 2, "Body wheel": TYRE, "Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4),
+                 "Obstacle hub": {"Shape": "prescribed gap", "Normal": "0.6, 0.8", "Gap": 0, "Free": "rz", "Reference point": "0, 1",
+                                  "Displacement": f"{drawn!r}*max(t - 1, 0) ; -0.004*min(t, 1)"},
+                 "Contact axle": {"Body": "wheel", "Boundary ids": 0, "Obstacle": "hub", "Kind": "tie"},
+                 "Time": {"Stages": "1 : 1, 2 : 12"}, "Output": {"VTU": 0}}
+        scene["Body wheel"] = merge(TYRE, {"Mesh": {"Translation": "0, 1", "Arguments": "0, 0 : 0.4 : 1 : 48 : true"}})
+        run = laws.run(scene, bounds=False)
+        for row in run.increments[1:]:
+            laws.demand(f"drawn by {drawn:g}, t = {row['time']:.3g}: drag {row['tread_f_x']:g} of {row['tread_f_y']:g}",
+                        abs(row["tread_f_x"]) <= 1.05 * FACET * row["tread_f_y"])
+        laws.check("  it rolls", abs(run.increments[-1]["obstacle_hub_rot_z"] + drawn) / drawn, .01)
 
 
 def turned(laws):

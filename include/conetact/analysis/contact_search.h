@@ -39,6 +39,9 @@ namespace conetact::analysis
      */
     std::string
     turns_too_far(const double t) const;
+    /** The same of bodies that have rolled while contacts were found again. */
+    std::string
+    rolls_on() const;
 
     /** What happens on the way to displacements u at time t; see
      * ContactPassages. */

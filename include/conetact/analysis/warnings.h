@@ -55,9 +55,14 @@ namespace conetact::analysis
     /** Distance of an element's nodes from its first one [length]. */
     double
     shortest_side(const unsigned int body);
-    /** 0: none is large. */
-    double
-    largest_strain(const unsigned int body, const Eigen::VectorXd &w);
+    /** Of the lines between nodes of elements, at most. */
+    struct Strained
+    {
+      double strain = 0, turn = 0; ///< [-], [rad]
+    };
+    /** Both 0: none is large. */
+    Strained
+    strained(const unsigned int body, const Eigen::VectorXd &w);
 
     const contact::ContactModel &model;
     Log                         &log;

@@ -47,6 +47,11 @@ namespace conetact::contact
   private:
     bool
     may_turn(const unsigned int body) const;
+    /** Whether a free obstacle is tied to bodies, and touches nothing else. */
+    bool
+    is_driven(const unsigned int obstacle) const;
+    bool
+    holds_in_any_frame(const unsigned int obstacle) const;
     void
     find(const bool far);
 

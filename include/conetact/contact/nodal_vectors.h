@@ -91,9 +91,14 @@ namespace conetact::contact
     using NodeMap = std::function<Tensor<1, 3>(const unsigned int body,
                                                const unsigned int node,
                                                const Tensor<1, 3> &)>;
-    /** Without frames nothing happens. */
+    using TurnMap = std::function<Tensor<1, 3>(const unsigned int body,
+                                               const Tensor<1, 3> &)>;
+    /** Without frames nothing happens. Rotations and moments of free obstacles
+     * have a map of their own. */
     Eigen::VectorXd
-    map_nodes(Eigen::VectorXd &&x, const NodeMap &map) const;
+    map_nodes(Eigen::VectorXd &&x,
+              const NodeMap    &map,
+              const TurnMap    &map_turn) const;
 
     std::vector<Eigen::Index> dof_offset;
     std::vector<unsigned int> node_offset;

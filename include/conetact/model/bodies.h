@@ -7,6 +7,7 @@
 #include "conetact/bodies/structure.h"
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/round_surface.h"
 
 #include <cmath>
 #include <optional>
@@ -46,6 +47,14 @@ namespace conetact::model
     }
   };
 
+  /** A round side of a body that may spin, see find_free_spins(). */
+  struct RoundSide
+  {
+    unsigned int          contact = 0; ///< index
+    unsigned int          body    = 0;
+    pairing::RoundSurface surface; ///< undeformed
+  };
+
   /** The bodies of a scene, what holds them and where they may touch. */
   struct Bodies
   {
@@ -54,6 +63,7 @@ namespace conetact::model
     std::vector<const bodies::Structure *> structures;
     std::vector<bodies::Support>           supports;
     std::vector<pairing::ContactNode>      contact_nodes;
+    std::vector<RoundSide>                 round_sides;
 
     /** The last ones are rigid: obstacles that are free, then cuts. */
     std::size_t n_rigid = 0;

@@ -10,6 +10,11 @@
 
 namespace conetact::pairing
 {
+  /** The rotation vector of a rotation, its axis times an angle of at most half
+   * a turn [rad]. */
+  Tensor<1, 3>
+  rotation_vector(const Tensor<2, 3> &rotation);
+
   /**
    * How far a rigid obstacle has moved since the start: turned about a centre
    * c, then translated, @f$x \mapsto c + Q (x - c) + d@f$ [length]. Maps
@@ -28,6 +33,11 @@ namespace conetact::pairing
     static RigidMotion
     turned(const Tensor<1, 3> &d, const Tensor<1, 3> &turn, const Point<3> &c);
 
+    bool
+    has_turned() const
+    {
+      return rotation != Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
+    }
     /** How far the point of the obstacle that was at p has moved. */
     Tensor<1, 3>
     displacement(const Point<3> &p) const
@@ -59,6 +69,12 @@ namespace conetact::pairing
     {
       return rotation * own;
     }
+    /** The rotation vector in space of what has turned by this one in it. */
+    Tensor<1, 3>
+    turn_to_space(const Tensor<1, 3> &own) const;
+    /** The inverse. */
+    Tensor<1, 3>
+    turn_to_own(const Tensor<1, 3> &turn) const;
     Tensor<1, 3>
     direction_to_own(const Tensor<1, 3> &direction) const
     {
