@@ -34,6 +34,8 @@ def increments_of(result, asked):
     """Those to draw; a sentence if there are none."""
     drawn = result.drawn_increments()
     if not drawn:
+        if len(result.increments):
+            raise ConetactError(f"{result.folder} has no drawing of an increment: run the scene with -s Output/VTU=1.")
         if list(result.folder.glob("solution-*-0000.*vtu")):
             raise ConetactError(f"{result.folder} holds the undeformed bodies only: log.txt says why no increment was solved.")
         raise ConetactError(f"{result.folder} holds no solution-*.vtu: run the scene with -s Output/VTU=1.")

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 CLOSING = r"increment (\d+)(?: of (\d+))?, t = "  # of the last increment, below those of the way there
 STOPPED = r"Increment (\d+) of (\d+) \(t = "
 INTERRUPTED, NOT_CONVERGED = r"Interrupted (in|after|at) ", "The path is not converged "
-REFUSED = 2  # the exit code of a run without equilibrium
+NOT_WRITTEN = r"Cannot write |.* cannot be (written|made)"
+REFUSED, NO_ROOM = 2, 3  # exit codes: no equilibrium, no disk
 NO_END = "The log has no end: the run was killed, or is still going on."
 
 
@@ -34,7 +35,8 @@ def ending_of(log: str) -> Ending:
     lines = last_run(log.splitlines())
     sentence = why_stopped(lines)
     is_known = sentence != NO_END and not re.match(INTERRUPTED, sentence)
-    return Ending((REFUSED if sentence else 0) if is_known else None, sentence, planned_in(lines))
+    code = (NO_ROOM if re.match(NOT_WRITTEN, sentence) else REFUSED) if sentence else 0
+    return Ending(code if is_known else None, sentence, planned_in(lines))
 
 
 def last_run(lines: Sequence[str]) -> Sequence[str]:
@@ -51,6 +53,8 @@ def planned_in(lines: Iterable[str]) -> int:
 
 def why_stopped(lines: Sequence[str]) -> str:
     """The sentence of the program, which stands above what it says in closing; "" where all is solved."""
+    if lines and re.match(NOT_WRITTEN, lines[-1]):
+        return lines[-1]
     closing = [(i, found) for i, line in enumerate(lines) if (found := re.match(CLOSING, line))]
     ends = [closing[-1][0]] if closing else [i for i, line in enumerate(lines) if line.startswith("memory: ")]
     told = [line for line in lines[:ends[-1]] if not re.match(r"\w+: |Results are in| ", line)] if ends else []

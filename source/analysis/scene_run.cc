@@ -74,6 +74,18 @@ namespace conetact::analysis
       log.note(describe(analysis.work()));
     }
 
+    /** There may be room for a line in the log though not for a picture. */
+    void
+    note_if_possible(const WriteError &error, Log &log)
+    {
+      try
+        {
+          log.note(error.what());
+        }
+      catch (const WriteError &) // then there is no room at all
+        {}
+    }
+
     /** What is said of a run that ends before its time. */
     void
     end_early(const std::exception &why, const Analysis &analysis, Log &log)
@@ -342,6 +354,11 @@ namespace conetact::analysis
       {
         while (run_mesh(line, log, progress))
           {}
+      }
+    catch (const WriteError &error)
+      {
+        note_if_possible(error, log);
+        throw;
       }
     catch (const std::bad_alloc &)
       {

@@ -30,7 +30,9 @@ namespace conetact::contact
              contact.friction->expression(0).is_zero() &&
              contact.friction->expression(1).is_zero() && !contact.bond &&
              !contact.layer && !contact.spring && !contact.fluid &&
-             !contact.active && !contact.prestress && !contact.path_cohesion &&
+             !contact.active &&
+             (!contact.prestress || contact.prestress->is_zero()) &&
+             (!contact.path_cohesion || contact.path_cohesion->is_zero()) &&
              (contact.obstacle != nullptr || contact.body != contact.master);
     }
 

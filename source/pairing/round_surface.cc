@@ -72,6 +72,25 @@ namespace conetact::pairing
       return round.radius <= extent && off <= digits * round.radius;
     }
 
+    /** Whether faces are those of a polygon or so, not of a round mesh. */
+    bool
+    has_large_facets(const RoundSurface      &round,
+                     const bodies::Surface   &surface,
+                     const bodies::Structure &body)
+    {
+      constexpr double largest  = .9; // cosine, of 26 degrees
+      const auto       is_large = [&](const bodies::SurfaceFace &face) {
+        for (const unsigned int i : face.nodes)
+          for (const unsigned int j : face.nodes)
+            if (round.outward(body.position(i)) *
+                  round.outward(body.position(j)) <
+                largest)
+              return true;
+        return false;
+      };
+      return std::any_of(surface.faces.begin(), surface.faces.end(), is_large);
+    }
+
     /** Two unit vectors across a third. */
     Axes
     across(const Tensor<1, 3> &axis)
@@ -167,7 +186,7 @@ namespace conetact::pairing
     RoundSurface round = nearest_round(points, unit_axes(dim));
     if (dim == 2)
       round.axis[2] = 1;
-    if (holds_all(round, points))
+    if (holds_all(round, points) && !has_large_facets(round, surface, body))
       return round;
     if (dim == 2)
       return {};
@@ -177,6 +196,8 @@ namespace conetact::pairing
     if (!(round.radius > 0) || !std::isfinite(round.radius))
       return {};
     improve(points, round);
-    return holds_all(round, points) ? std::make_optional(round) : std::nullopt;
+    if (!holds_all(round, points) || has_large_facets(round, surface, body))
+      return {};
+    return round;
   }
 } // namespace conetact::pairing

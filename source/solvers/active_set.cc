@@ -98,7 +98,8 @@ namespace conetact::solvers
   ActiveSet::run(const ContactProblem &problem,
                  const Array          &p,
                  NodeSets              sets,
-                 ContactState         &state)
+                 ContactState         &state,
+                 const SolverOptions  &by)
   {
     NewtonPoint point = system->point_at(p);
     point.sets        = std::move(sets);
@@ -109,7 +110,7 @@ namespace conetact::solvers
     // body, which may be far smaller than the norm of all.
     const double goal = std::max(1e-4 * options.tolerance, 1e-14);
     SolverReport report =
-      SemismoothNewton(*system, options)
+      SemismoothNewton(*system, by)
         .run(problem, point, state, {goal, options.tolerance});
     if (report.converged)
       report.solver = name;
@@ -124,7 +125,8 @@ namespace conetact::solvers
   {
     Array p, d;
     system->relation().to_scaled(state, p, d);
-    return run(problem, p, sets_of_state(system->relation(), state), state);
+    return run(
+      problem, p, sets_of_state(system->relation(), state), state, options);
   }
 
 
@@ -268,12 +270,16 @@ namespace conetact::solvers
 
 
   SolverReport
-  ActiveSet::polish(const ContactProblem &problem, ContactState &state)
+  ActiveSet::polish(const ContactProblem &problem,
+                    ContactState         &state,
+                    const unsigned int    most)
   {
     attach(problem);
     Array p, d;
     system->relation().to_scaled(state, p, d);
-    return run(problem, p, sets_of_point(system->relation(), p, d), state);
+    SolverOptions few  = options;
+    few.max_iterations = std::min(few.max_iterations, most);
+    return run(problem, p, sets_of_point(system->relation(), p, d), state, few);
   }
 
 

@@ -81,11 +81,12 @@ namespace conetact::solvers
   bool
   Automatic::polish(const ContactProblem &problem,
                     ContactState         &state,
-                    SolverReport         &report)
+                    SolverReport         &report,
+                    const unsigned int    most)
   {
     if (!state.v.allFinite() || !state.r.allFinite())
       return false;
-    const SolverReport exact = active_set.polish(problem, state);
+    const SolverReport exact = active_set.polish(problem, state, most);
     add_work(report, exact);
     report.converged = exact.converged;
     report.residual  = exact.residual;
@@ -113,14 +114,15 @@ namespace conetact::solvers
     ContactState       trial  = state;
     bool               solved = false, going = true;
     // States are right long before the residual is small: every second digit is
-    // worth an attempt to end exactly.
+    // worth an attempt to end exactly, which takes a few steps or fails.
+    constexpr unsigned int few = 15;
     for (double target = 1e-2;
          going && !solved && target > .1 * options.tolerance;
          target *= 1e-2)
       {
         going = iteration.advance(target);
         iteration.get(trial);
-        solved = polish(problem, trial, report);
+        solved = polish(problem, trial, report, few);
       }
     report.iterations += iteration.n_iterations();
     report.factorizations += iteration.n_factorizations();

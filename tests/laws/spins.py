@@ -61,18 +61,21 @@ def pins(laws):
         row = run.increments[-1]
         loads = [row[f"load_pull_f_{c}"] for c in "xy"]
         laws.check(f"pin {seed}, {pairing}, {scene['Body pin']['Element']}: force on it", math.dist([row[f"joint_f_{c}"] for c in "xy"], scaled(-1, loads)) / math.hypot(*loads), 1e-10)
-        laws.check("  it is not turned", torque(run, radius), 1e-12)
+        laws.check("  it is not turned", torque(run, radius), 1e-10)
 
 
 def lugs(laws):
     """A ring that hangs on a pin which is held: the side that may turn is the master, too."""
-    for element, sides in (("Q1", ("eye", "pin")), ("Q2", ("eye", "pin")), ("Q1", ("pin", "eye")), ("Q2", ("pin", "eye"))):
-        scene = {"Dimension": 2, "Body pin": merge(disc(.99, 2, element, 10.0), {"Mesh": {"Boundary ids": "7: x^2 + y^2 < 0.3"}}), "Body eye": {**ring(1.0, 2.0, 40, 7.0, YOUNG), "Element": element},
-                 "Contact joint": joint(sides[0], 0, sides[1], 0), "Support pin": support(0, "x, y", body="pin"),
+    ids = {"pin": 1, "eye": 0}
+    for element, slave, master in (("Q1", "eye", "pin"), ("Q2", "eye", "pin"), ("Q1", "pin", "eye"), ("Q2", "pin", "eye")):
+        scene = {"Dimension": 2, "Body pin": {**ring(.5, .99, 37, 10.0, YOUNG), "Element": element},
+                 "Body eye": {**ring(1.0, 2.0, 40, 7.0, YOUNG), "Element": element},
+                 "Contact joint": joint(slave, ids[slave], master, ids[master]), "Support pin": support(0, "x, y", body="pin"),
                  "Load pull": pull("eye", (37.0, -80.0)), "Output": {"VTU": 0}}
         row = laws.run(scene, bounds=False).increments[-1]
         loads = [row[f"load_pull_f_{c}"] for c in "xy"]
-        laws.check(f"lug on a pin, {element}, slave {sides[0]}: the support of the pin", math.dist([row[f"support_pin_f_{c}"] for c in "xy"], loads) / math.hypot(*loads), 1e-10)
+        laws.check(f"lug on a pin, {element}, slave {slave}: the support of the pin",
+                   math.dist([row[f"support_pin_f_{c}"] for c in "xy"], scaled(-1, loads)[:2]) / math.hypot(*loads), 1e-10)
 
 
 def pins_in_space(laws):

@@ -26,7 +26,8 @@ namespace conetact::pairing
   };
 
   /** The one on which all nodes of a surface lie, to the digits of files; none
-   * where the surface is another one, or too small a part to tell. */
+   * where the surface is another one, has faces of more than 26 degrees, or is
+   * too small a part to tell. */
   std::optional<RoundSurface>
   round_surface(const bodies::Structure   &body,
                 const bodies::BoundaryIds &ids,

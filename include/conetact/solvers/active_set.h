@@ -8,6 +8,7 @@
 #include "conetact/solvers/predictor.h"
 #include "conetact/solvers/semismooth_newton.h"
 
+#include <limits>
 #include <optional>
 
 namespace conetact::solvers
@@ -28,10 +29,13 @@ namespace conetact::solvers
     /**
      * Starts from an estimate of the end of the increment, whose states are
      * read off @f$r - c\,v@f$, and makes it exact. Fails where the estimate
-     * is too far off: the state is then of no use.
+     * is too far off: the state is then of no use. Takes no more than `most`
+     * steps.
      */
     SolverReport
-    polish(const ContactProblem &problem, ContactState &state);
+    polish(const ContactProblem &problem,
+           ContactState         &state,
+           const unsigned int most = std::numeric_limits<unsigned int>::max());
 
     /** Starts from the states of the nodes, and from nothing else. */
     SolverReport
@@ -62,7 +66,8 @@ namespace conetact::solvers
     run(const ContactProblem  &problem,
         const Eigen::VectorXd &p,
         NodeSets               sets,
-        ContactState          &state);
+        ContactState          &state,
+        const SolverOptions   &by);
 
     SolverOptions                options;
     std::optional<DenseOperator> system;

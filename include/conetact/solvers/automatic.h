@@ -10,6 +10,7 @@
 #include "conetact/solvers/smoothing_newton.h"
 #include "conetact/solvers/stiffness_form.h"
 
+#include <limits>
 #include <optional>
 
 namespace conetact::solvers
@@ -82,11 +83,15 @@ namespace conetact::solvers
                 ContactState         &state,
                 SolverReport         &report);
 
-    /** Active set from an estimate of the end of the increment. */
+    static constexpr unsigned int any_number =
+      std::numeric_limits<unsigned int>::max();
+    /** Active set from an estimate of the end of the increment, in at most so
+     * many steps. */
     bool
     polish(const ContactProblem &problem,
            ContactState         &state,
-           SolverReport         &report);
+           SolverReport         &report,
+           const unsigned int    most = any_number);
     /** Smoothing from m0 on, with attempts to polish on the way. */
     bool
     smooth(const ContactProblem &problem,
