@@ -105,14 +105,23 @@ namespace conetact::analysis
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
-        const pairing::Contact &contact     = scene.contacts[c];
-        const bool              on_obstacle = contact.obstacle != nullptr;
+        const pairing::Contact  &contact     = scene.contacts[c];
+        const bool               on_obstacle = contact.obstacle != nullptr;
+        const bodies::Structure &body = *model.bodies.structures[contact.body];
+        if (!on_obstacle && contact.kind == pairing::ContactKind::contact)
+          {
+            note_facets(c, body.surface(contact.ids).faces, facets);
+            note_facets(c,
+                        model.bodies.structures[contact.master]
+                          ->surface(contact.master_ids)
+                          .faces,
+                        master_facets);
+          }
         if (contact.slides ? !on_obstacle : !scene.kinematics[c].may_tilt())
           continue;
-        const bodies::Structure &body = *model.bodies.structures[contact.body];
         if (on_obstacle)
           {
-            note_facets(c, body.surface(contact.ids).faces);
+            note_facets(c, body.surface(contact.ids).faces, facets);
             continue;
           }
         for (const bodies::SurfaceFace &face : body.surface(contact.ids).faces)
@@ -129,7 +138,8 @@ namespace conetact::analysis
 
   void
   SmallKinematics::note_facets(const unsigned int                      contact,
-                               const std::vector<bodies::SurfaceFace> &faces)
+                               const std::vector<bodies::SurfaceFace> &faces,
+                               Facets                                 &of_nodes)
   {
     constexpr double                                  flat = 1e-3; // rad
     std::map<unsigned int, std::vector<Tensor<1, 3>>> normals;     // of nodes
@@ -145,7 +155,7 @@ namespace conetact::analysis
                 angle <= bodies::angle_of_patches)
               turn = std::max(turn, angle);
         if (turn > flat)
-          facets[{contact, node}] = turn;
+          of_nodes[{contact, node}] = turn;
       }
   }
 
@@ -162,13 +172,32 @@ namespace conetact::analysis
   }
 
   double
+  SmallKinematics::facet_at(const pairing::ContactNode &node) const
+  {
+    const auto in = [&](const Facets &all, const unsigned int i) {
+      const auto found = all.find({node.contact, i});
+      return found == all.end() ? 0. : found->second;
+    };
+    double largest = in(facets, node.node);
+    if (node.obstacle == nullptr)
+      for (const auto &[master, weight] : node.masters)
+        largest = std::max(largest, in(master_facets, master));
+    return largest;
+  }
+
+  double
   SmallKinematics::rolled(const pairing::ContactNode &node,
                           const IncrementEnd         &end) const
   {
-    if (node.obstacle == nullptr || model.frames.has(node.body) ||
-        facets.count({node.contact, node.node}) == 0)
+    const auto turn_of = [&](const unsigned int body) {
+      return model.frames.has(body) ? Tensor<1, 3>() :
+                                      model.motions.turn(end.amounts, body);
+    };
+    if (node.meets_nothing() || facet_at(node) == 0)
       return 0;
-    const Tensor<1, 3> turn = model.motions.turn(end.amounts, node.body);
+    Tensor<1, 3> turn = turn_of(node.body);
+    if (node.obstacle == nullptr)
+      turn -= turn_of(node.master);
     return (turn - (turn * node.n) * node.n).norm();
   }
 
@@ -192,8 +221,9 @@ namespace conetact::analysis
           const double turn = rolled(node, end), mu = model.points[i].mu;
           if (turn == 0)
             continue;
-          const bool is_far = turn > .5 * facets.at({node.contact, node.node});
-          if (is_far || (mu > 0 && turn > little * mu))
+          const bool is_far = turn > .5 * facet_at(node);
+          if (is_far ||
+              (node.obstacle != nullptr && mu > 0 && turn > little * mu))
             found.emplace(
               node.contact,
               Left{model.bodies.called(node.body) + " rolls by " +
@@ -476,7 +506,8 @@ namespace conetact::analysis
         if (found == largest.end() || !(found->second > 0))
           continue;
         const double tilt =
-          std::max(turn_of_normal(node, end).norm(), rolled(node, end));
+          std::max(turn_of_normal(node, end).norm(),
+                   node.obstacle != nullptr ? rolled(node, end) : 0.);
         if (tilt * force_of(point) > (node.mu_1 + node.mu_2 > 0 ?
                                         largest_tilt_of_friction :
                                         largest_tilt) *

@@ -123,25 +123,8 @@ namespace conetact::contact
                        });
   }
 
-  /* Its supports hold axes of the scene, which must be the same in a frame that
-     turns: all of them, none, or what a turn about one axis leaves alone. */
-  bool
-  BodyFrames::holds_in_any_frame(const unsigned int obstacle) const
-  {
-    const NodeRule *const rule = rules.find(obstacle, 0);
-    if (rule == nullptr)
-      return true;
-    std::vector<Tensor<1, 3>> axes; // that it may turn about
-    for (unsigned int c = bodies.dim; c < (bodies.dim == 2 ? 3 : 6); ++c)
-      if (!rule->holds_rotation(c))
-        axes.emplace_back()[bodies.dim == 2 ? 2 : c - 3] = 1;
-    const std::vector<Tensor<1, 3>> held = directions(rule->held);
-    if (axes.empty() || held.empty() || held.size() == bodies.dim)
-      return axes.size() != 2;
-    return axes.size() == 1 &&
-           is_spanned(axes.front(), held) == (held.size() == 1);
-  }
-
+  /* Of rotations about axes of the scene all may be held, or all but those
+     about one axis, which stays where it is; or none. */
   bool
   BodyFrames::is_driven(const unsigned int obstacle) const
   {
@@ -153,7 +136,9 @@ namespace conetact::contact
             return false;
           is_tied = true;
         }
-    return is_tied && holds_in_any_frame(obstacle);
+    const NodeRule *const rule = rules.find(obstacle, 0);
+    return is_tied &&
+           (rule == nullptr || rule->rotations.size() != 1 || bodies.dim == 2);
   }
 
   void

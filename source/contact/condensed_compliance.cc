@@ -225,9 +225,8 @@ namespace conetact::contact
   bool
   CondensedCompliance::relink(const Changed what)
   {
-    if (what == Changed::contacts)
-      rows.find_again();
-    else
+    rows.find_again();
+    if (what == Changed::motions)
       {
         free.find();
         free.respond(bodies);

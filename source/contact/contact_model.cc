@@ -342,14 +342,20 @@ namespace conetact::contact
                        ElasticState                     &state)
   {
     turn_ties(bodies, nodes);
+    const bool turns_motions = rules.turn_with_frames();
     if (std::string why = points.relink(std::move(nodes), times); !why.empty())
       return why;
-    // Free motions are those of supports and ties, which stay; what contacts
-    // see of them turns with normals.
-    motions.see_contacts(points);
+    // Free motions are those of supports and ties, which stay but where axes
+    // are held of an obstacle that turns; what contacts see of them turns with
+    // normals.
+    if (turns_motions)
+      motions.find_again(points);
+    else
+      motions.see_contacts(points);
     // The iterative Elasticity has the axes of contacts in its unknowns: where
     // these turn its start is taken over as a deformation.
-    if (!made || made->relink(Elasticity::Changed::contacts))
+    if (!made || made->relink(turns_motions ? Elasticity::Changed::motions :
+                                              Elasticity::Changed::contacts))
       return {};
     Eigen::VectorXd w;
     if (why_not().empty() && state.start)

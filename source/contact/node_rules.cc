@@ -196,9 +196,27 @@ namespace conetact::contact
       {
         if (rule.masters.empty())
           rule.free = complement(directions(rule.held), bodies.dim);
+        if (bodies.is_free_obstacle(rule.body))
+          rule.axes = directions(rule.held);
         sorted.push_back(std::move(rule));
       }
     check_redundant(times);
+  }
+
+  bool
+  NodeRules::turn_with_frames()
+  {
+    bool has_turned = false;
+    for (NodeRule &rule : sorted)
+      for (std::size_t k = 0; k < rule.axes.size(); ++k)
+        if (const Tensor<1, 3> now = bodies.in_frame(rule.body, rule.axes[k]);
+            now != rule.held[k].direction)
+          {
+            rule.held[k].direction = now;
+            rule.free  = complement(directions(rule.held), bodies.dim);
+            has_turned = true;
+          }
+    return has_turned;
   }
 
   /* Rules are sorted by body and node: a bisection, as elements and contacts
@@ -304,13 +322,14 @@ namespace conetact::contact
     const Point<3> p = bodies.structures[rule.body]->position(rule.node);
     // Bodies that turn far are held in all directions, or not at all: frames
     // take displacements as a whole, not a component of them. Of obstacles they
-    // leave what is held as it is.
+    // take the axes that are held, and see nothing of the others.
     if (bodies.frames.empty() ||
-        (rule.held.size() < bodies.dim && !bodies.is_rigid(rule.body)))
+        (rule.held.size() < bodies.dim && rule.axes.empty()))
       return displacement(held, p, t);
     Tensor<1, 3> u;
-    for (const HeldDirection &h : rule.held)
-      u += displacement(h, p, t) * h.direction;
+    for (std::size_t k = 0; k < rule.held.size(); ++k)
+      u += displacement(rule.held[k], p, t) *
+           (rule.axes.empty() ? rule.held[k].direction : rule.axes[k]);
     return held.direction * bodies.in_frame(rule.body, rule.node, u);
   }
 

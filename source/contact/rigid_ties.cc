@@ -24,11 +24,10 @@ namespace conetact::contact
                              [&](const unsigned int body,
                                  const unsigned int number,
                                  const double       weight) {
-                               const Eigen::RowVectorXd row =
-                                 modes.row(body,
-                                           bodies.structures[body]->position(
-                                             number),
-                                           weight * direction);
+                               const Eigen::RowVectorXd row = modes.row(
+                                 body,
+                                 bodies.structures[body]->position(number),
+                                 bodies.in_frame(body, weight * direction));
                                const auto [found, is_new] =
                                  tied.rows.emplace(body, row);
                                if (!is_new)

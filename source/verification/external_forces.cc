@@ -225,7 +225,10 @@ namespace conetact::verification
           for (const contact::HeldDirection &h : rule.held)
             {
               // Held directions of a node are orthonormal: their parts add up.
-              const Tensor<1, 3> part = (force * h.direction) * h.direction;
+              const Tensor<1, 3> e    = rule.axes.empty() ?
+                                          h.direction :
+                                          bodies.in_space(rule.body, h.direction);
+              const Tensor<1, 3> part = (force * e) * e;
               collector.act(all.supports[h.terms.front().support],
                             rule.body,
                             p,

@@ -74,13 +74,18 @@ namespace conetact::analysis
     add_turned_springs(const IncrementEnd &end, Found &found) const;
     void
     add_rolled(const IncrementEnd &end, Found &found) const;
-    /** How far a round body has rolled on an obstacle at a node of it [rad]; 0
-     * where it is not round. */
+    /** How far a round body has rolled at a node of it [rad]; 0 where it is not
+     * round. */
     double
     rolled(const pairing::ContactNode &node, const IncrementEnd &end) const;
-    void
+    /** What round sides turn by from face to face there [rad]; 0: none is. */
+    double
+    facet_at(const pairing::ContactNode &node) const;
+    using Facets = std::map<std::pair<unsigned int, unsigned int>, double>;
+    static void
     note_facets(const unsigned int                      contact,
-                const std::vector<bodies::SurfaceFace> &faces);
+                const std::vector<bodies::SurfaceFace> &faces,
+                Facets                                 &of_nodes);
     pairing::RigidMotion
     obstacle_motion(const pairing::ContactNode &node,
                     const Eigen::VectorXd      &amounts,
@@ -95,8 +100,8 @@ namespace conetact::analysis
     std::map<std::pair<unsigned int, unsigned int>,
              std::vector<std::vector<unsigned int>>>
       faces_at;
-    /** How far smooth faces turn at nodes of contacts with obstacles [rad]. */
-    std::map<std::pair<unsigned int, unsigned int>, double> facets;
+    /** How far smooth faces turn at nodes of sides [rad]. */
+    Facets facets, master_facets;
   };
 } // namespace conetact::analysis
 

@@ -50,8 +50,6 @@ namespace conetact::contact
     /** Whether a free obstacle is tied to bodies, and touches nothing else. */
     bool
     is_driven(const unsigned int obstacle) const;
-    bool
-    holds_in_any_frame(const unsigned int obstacle) const;
     void
     find(const bool far);
 

@@ -36,7 +36,7 @@ namespace conetact::contact
         iterative::Preconditioner::aggregation);
 
     const model::Bodies &bodies;
-    const NodeRules      rules;       ///< what supports and hanging nodes leave
+    NodeRules            rules;       ///< what supports and hanging nodes leave
     ContactPoints        points;      ///< contacts as rows over the nodes
     const Coordinates    coordinates; ///< of the bodies without contacts
     const ElasticSystem  elastic;

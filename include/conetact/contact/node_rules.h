@@ -74,8 +74,11 @@ namespace conetact::contact
    */
   struct NodeRule
   {
-    unsigned int                                 body = 0, node = 0;
-    std::vector<HeldDirection>                   held;
+    unsigned int               body = 0, node = 0;
+    std::vector<HeldDirection> held;
+    /** Of a free obstacle that turns with a body: what is held, in space, where
+     * directions are those in its frame. */
+    std::vector<Tensor<1, 3>>                    axes;
     std::vector<std::pair<unsigned int, double>> masters;
     std::vector<Tensor<1, 3>>                    free;
 
@@ -126,6 +129,11 @@ namespace conetact::contact
     displacement(const NodeRule      &rule,
                  const HeldDirection &held,
                  const double         t) const;
+
+    /** Axes of the scene that supports hold obstacles along, in the frames of
+     * these as they stand now. Returns whether any has turned. */
+    bool
+    turn_with_frames();
 
     /** The rule of a node; null: it has none. */
     const NodeRule *
