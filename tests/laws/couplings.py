@@ -6,7 +6,7 @@ import math
 import random
 
 from laws.restart import difference, go_on
-from support.scenes import box, contact, floor, load, merge, simplices, support, write_scene
+from support.scenes import box, contact, floor, joint, load, merge, simplices, support, write_scene
 from support.vectors import apply, cross, dot, plus, rotation, scaled
 
 YOUNG, LENGTH = 1000.0, 3.0
@@ -202,16 +202,21 @@ def wheel(laws):
 
 def driven_wheel(laws):
     """The axle is pressed down and drawn along: the wheel rolls, and withstands no more than its facets do."""
-    for drawn in (.1, 1.0):
-        scene = {"Dimension": 2, "Body wheel": TYRE, "Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4),
-                 "Obstacle hub": {"Shape": "prescribed gap", "Normal": "0.6, 0.8", "Gap": 0, "Free": "rz", "Reference point": "0, 1",
-                                  "Displacement": f"{drawn!r}*max(t - 1, 0) ; -0.004*min(t, 1)"},
+    held = {"Free": "rz", "Displacement": "{drawn!r}*max(t - 1, 0) ; -0.004*min(t, 1)"}
+    loaded = {"Free": "y, rz", "Displacement": "{drawn!r}*max(t - 1, 0) ; 0", "Force": "0 ; -20*min(t, 1)"}
+    for what, hub, road, drawn in (("held axle", held, "floor", .1), ("held axle", held, "floor", 1.0), ("loaded axle", loaded, "floor", .7),
+                                   ("loaded axle on a body", loaded, "ground", .5)):
+        scene = {"Dimension": 2, "Body wheel": merge(TYRE, {"Mesh": {"Translation": "0, 1", "Arguments": "0, 0 : 0.4 : 1 : 48 : true"}}),
+                 "Obstacle hub": {"Shape": "prescribed gap", "Normal": "0.6, 0.8", "Gap": 0, "Reference point": "0, 1",
+                                  **{name: value.replace("{drawn!r}", repr(drawn)) for name, value in hub.items()}},
                  "Contact axle": {"Body": "wheel", "Boundary ids": 0, "Obstacle": "hub", "Kind": "tie"},
                  "Time": {"Stages": "1 : 1, 2 : 12"}, "Output": {"VTU": 0}}
-        scene["Body wheel"] = merge(TYRE, {"Mesh": {"Translation": "0, 1", "Arguments": "0, 0 : 0.4 : 1 : 48 : true"}})
+        scene.update({"Obstacle floor": floor(2), "Contact tread": contact("wheel", 1, "floor", .4)} if road == "floor" else
+                     {"Body ground": box((40, 2), (2.0, .2), (-.5, -.2), 1e4), "Support bed": support(2, "x, y", body="ground"),
+                      "Contact tread": joint("wheel", 1, "ground", 3, **{"Friction coefficient": .4})})
         run = laws.run(scene, bounds=False)
         for row in run.increments[1:]:
-            laws.demand(f"drawn by {drawn:g}, t = {row['time']:.3g}: drag {row['tread_f_x']:g} of {row['tread_f_y']:g}",
+            laws.demand(f"{what}, drawn by {drawn:g}, t = {row['time']:.3g}: drag {row['tread_f_x']:g} of {row['tread_f_y']:g}",
                         abs(row["tread_f_x"]) <= 1.05 * FACET * row["tread_f_y"])
         laws.check("  it rolls", abs(run.increments[-1]["obstacle_hub_rot_z"] + drawn) / drawn, .01)
 
