@@ -117,7 +117,13 @@ def known(compare):
     compare.judge("a column less", 2, "column state is in one only")
     compare.write("other", "reactions.csv", [["nan" if c == "r_n" else v for c, v in zip(HEAD, row)] for row in rows])
     compare.judge("what is no number", 2, "and nan")
+    nowhere = [[*row[:6], "nan" if row[2] == 4 else row[6], *row[7:]] for row in rows]
+    for name, factor in (("one", 1), ("other", 1 + 1e-12)):
+        compare.write(name, "reactions.csv", [[*row[:6], row[6] if row[6] == "nan" else factor * row[6], *row[7:]] for row in nowhere])
+    compare.judge("gaps to nothing, and others", 0, "equal")
     compare.write("other", "reactions.csv", rows)
+    compare.judge("a gap where there was none", 2, "node 4: gap is nan and")
+    compare.write("one", "reactions.csv", rows)
     compare.write("other", "history.csv", [[1, 2.5]], ("increment", "largest_pressure"))
     compare.judge("a table less", 2, "the table history.csv is in other only")
     (compare.folder / "other/history.csv").unlink()

@@ -439,6 +439,12 @@ def results(laws):
         demand_sentence(laws, conetact.ResultError, "there are 0, 1", lambda: result.to_pyvista(7))
         bare = conetact.run(BLOCK, {"Output/VTU": 0})
         demand_sentence(laws, conetact.ResultError, "Output/VTU", bare.to_pyvista)
+    empty = laws.folder / "empty"
+    empty.mkdir()
+    for text in ("", "subsection Solver\nend\n"):
+        (empty / "used.prm").write_text(text)
+        for ask in (lambda: conetact.Result(empty).entries, lambda: conetact.Result(empty).dimension):
+            demand_sentence(laws, conetact.ResultError, "used.prm is empty or cut off", ask)
     for wrong in (99, -1, "x"):
         for call in (result.bodies, result.surfaces):
             demand_sentence(laws, conetact.ResultError, f"increment {wrong}; there are 0, 1", lambda: call(wrong))

@@ -18,7 +18,8 @@ usage: check_program.py PROGRAM CASE [COUNT]
   directions  a body that slides does so where it is pushed
   condensers  what condenses bodies changes no sentence; --verify tells by how much
   first-contact  the manual, a starter scene that runs, includes, line ends, the closing screen
-  pipes       scenes from pipes, devices
+  pipes       scenes from pipes, devices, and readers that have enough
+  scripts     what scripts of Gmsh save
   cautions    what is warned of
   batch       many runs of one program that is loaded once: exit codes, what is wrong in their file, signals
   numbers     COUNT meshes of shipped scenes and of deal.II's generators with
@@ -295,6 +296,30 @@ class Case:
                     re.search(r"/dev/stdin, line \d+: Body 'block', Material/Young modulus: -", run.stderr), run.stderr)
         run = subprocess.run([self.program, "/dev/zero"], cwd=self.folder, capture_output=True, text=True)
         self.demand("a device without end", run.returncode == 1 and "it is a device" in run.stderr, run.stderr)
+        for words in (["--help"], ["--parameters"], ["--schema"]):
+            for signals in (True, False):  # as shells start programs, and as others do
+                reading, writing = os.pipe()
+                os.close(reading)
+                run = subprocess.run([self.program, *words], stdout=writing, stderr=subprocess.PIPE, text=True, restore_signals=signals)
+                os.close(writing)
+                self.demand(f"nobody reads {words[0]}: it ends quietly", not run.stderr and run.returncode in ((0,) if not signals else
+                            (0, -signal.SIGPIPE)), run)
+
+    def scripts(self):
+        """Scripts of Gmsh write nothing beside themselves."""
+        script = (ERRORS / "files" / "plate.geo").read_text()
+        scene = (ERRORS / "meshes.prm").read_text().replace("block.inp", "plate.geo")
+        (self.folder / "plate.prm").write_text(scene)
+        for end in ("\n", ""):
+            (self.folder / "plate.geo").write_text(script + 'Save "plate.step";' + end)
+            run = subprocess.run([self.program, "plate.prm", "--dry-run"], cwd=self.folder, capture_output=True, text=True)
+            self.demand("a script that saves a drawing, dry", run.returncode == 0 and not list(self.folder.glob("*.step")), run)
+            run = subprocess.run([self.program, "plate.prm", "-o", self.result], cwd=self.folder, capture_output=True, text=True)
+            self.demand("  and in a run", run.returncode == 0 and not list(self.folder.glob("*.step")), run)
+        (self.folder / "plate.geo").write_text(script.replace("Box(1) =", "Bocks(1) =") + 'Save "plate.step";\n')
+        run = subprocess.run([self.program, "plate.prm"], cwd=self.folder, capture_output=True, text=True)
+        self.demand("  its mistakes are told with its own place", run.returncode == 1 and "Gmsh says: " in run.stderr
+                    and tempfile.gettempdir() + "/conetact-" not in run.stderr.replace(str(self.folder), ""), run.stderr)
 
     def cautions(self):
         """What is possible and hardly meant."""

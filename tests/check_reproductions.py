@@ -101,7 +101,7 @@ def smoothing(programs):
             programs.demand(f"{scene}, {name}: {found}", found == counts or (gives_up and name == "A" and len(found) == 1
                                                                              and abs(found[0] - counts[0]) <= 3))
             if gives_up and name == "A":
-                programs.demand("  no descent in the line search", "no descent in the line search" in text)
+                programs.demand("  no step lessens the error", "no step along its direction" in text)
             else:
                 programs.check("  natural residuals", max(float(r) for _, r in rows), 1e-8)
 

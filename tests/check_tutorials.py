@@ -120,7 +120,7 @@ PICTURES = {"press-fit": ["--increment", "5"], "snap-fit": ["--increment", "12",
 
 
 def table(rows):
-    head = ["| quantity | by hand | program | difference |", "|---|---|---|---|"]
+    head = ["| quantity | by hand | program | difference |", "|---|--:|--:|--:|"]
     return head + [f"| {row.quantity} | {number(row.expected)} | {number(row.found)} | {percent(row.error)} |" for row in rows]
 
 

@@ -269,7 +269,7 @@ def command_of(scene, changes):
 
 
 def lines_of_cases(found):
-    lines = ["| source | quantity | published | Conetact | difference |", "|---|---|---|---|---|"]
+    lines = ["| source | quantity | published | Conetact | difference |", "|---|---|--:|--:|--:|"]
     for name, rows in found.items():
         title = f"[{CASES[name][0]}](#{name})"
         for row in rows:

@@ -168,7 +168,10 @@ class Result:
         'block'
         """
         self._text("used.prm")
-        return read_entries(self.folder / "used.prm")
+        entries = read_entries(self.folder / "used.prm")
+        if "Dimension" not in entries:  # which every run writes
+            raise ResultError(f"{self.folder / 'used.prm'} is empty or cut off: it was not written to its end. Run the scene again.")
+        return entries
 
     @property
     def dimension(self) -> int:

@@ -73,7 +73,7 @@ def main():
     orders = [np.nan, *(np.log(errors[:-1] / errors[1:]) / np.log(sizes[:-1] / sizes[1:]))]
     for result, size, e, order in zip(results, sizes, errors, orders):
         peak = result.reactions["pressure"].max()
-        print(f"h = {size:.4f}: error {e:.3f} (order {order:.1f}), largest pressure {peak:.2f} of {PEAK:.2f}")
+        print(f"h = {size:.4f}: error {e:.3f}{'' if np.isnan(order) else f' (order {order:.1f})'}, largest pressure {peak:.2f} of {PEAK:.2f}")
     draw(results, sizes, errors, args.output)
 
     assert (np.diff(errors) < 0).all() and errors[-1] < .05

@@ -164,6 +164,11 @@ def vectors(rows, *names):
     return np.column_stack([rows[name] for name in names])
 
 
+def first_gaps(rows):
+    """Those at the start; 0 where a node faces nothing, and has none."""
+    return np.nan_to_num(rows["gap"] - rows["u_n"])
+
+
 class ContactNodes:
     """Nodes of one contact in one increment: where they are drawn, what they carry, what they may touch."""
 
@@ -176,7 +181,7 @@ class ContactNodes:
         self.faces, self.body = self._faces(bodies)
         moved = self.points if self.body is None else self.points + factor * self._displacements()
         self.x = moved
-        self.first_gap = rows["gap"] - rows["u_n"]
+        self.first_gap = first_gaps(rows)
         self.stretched = factor > 1 and self._closed_gap() * factor > .01 * size_of(body.points for body in bodies)
         self.feet = self.points - (factor if self.stretched else 1) * self.first_gap[:, None] * normals
 
@@ -242,7 +247,7 @@ def automatic_factor(result, increment, meshes=None):
     size = size_of(mesh.points for mesh in meshes)
     largest = max(np.linalg.norm(mesh.arrays["displacement"], axis=1).max() for mesh in meshes)
     rows = rows_of(result, increment)
-    gap = np.abs(rows["gap"] - rows["u_n"]).max(initial=0)
+    gap = np.abs(first_gaps(rows)).max(initial=0)
     return nice(size / max(10 * largest, 20 * gap, 1e-300)) if largest > 0 else 1.0
 
 

@@ -322,9 +322,21 @@ namespace conetact::analysis
       "contact '" + contacts.contact(c).name + "': what presses is narrower " +
       "than cells resolve: only " + std::to_string(n) +
       (n == 1 ? " node presses" : " nodes press, none of them between others") +
-      ". Its force is right, but its pressures, and how it resists rolling, "
-      "depend on the mesh. Where they matter use smaller cells, at least four "
-      "across what presses.";
+      ". You can rely on the sum of its forces. Its pressures, and how it "
+      "resists rolling, depend on the mesh: where you need them use smaller "
+      "cells, at least four across what presses.";
+  }
+
+  /* The side, or both, whose nodes in the middle are meant. */
+  std::string
+  ContactNotices::of_second_degree(const unsigned int c) const
+  {
+    const Contact           &contact = contacts.contact(c);
+    const auto              &names   = scene.bodies.names;
+    const bodies::Structure &own     = *scene.bodies.structures[contact.body];
+    if (has_second_degree(own, contact.ids))
+      return "body '" + names[contact.body] + "'";
+    return "body '" + names[contact.master] + "'";
   }
 
   std::string
@@ -347,12 +359,13 @@ namespace conetact::analysis
                  ", more than a tenth of that. Use smaller cells." :
                uneven(c, closed);
     if (second_degree[c])
-      return "its curved faces are of second degree (Element = Q2 or P2), "
-             "whose edges are straight: middle nodes of both sides together lie "
-             "up to " +
-             to_text(facet) +
-             " off the curves, and pressures go up and down from node to node. "
-             "Use Element = Q1 there, or bent cells (Order = 2 of a drawing).";
+      return "nodes in the middle of edges of both sides together lie up to " +
+             to_text(facet) + " off its curved faces, as " +
+             of_second_degree(c) +
+             " has edges that are straight in the mesh and elements of second "
+             "degree: pressures go up and down from node to node. Give it bent "
+             "cells (Order = 2 of a drawing or a mesh of second order), or, if "
+             "its cells are quadrilaterals or hexahedra, Element = Q1.";
     const double gap = closed_gap(closed.gaps, closed.normals);
     if (!is_given && facet > large_facet * gap)
       return "facets stand off its curved surfaces by " + to_text(facet) +

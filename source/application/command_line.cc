@@ -21,7 +21,7 @@ namespace conetact::application
   {
     constexpr const char *usage =
       R"(usage: conetact SCENE.prm [OPTION]...
-       conetact --batch FILE [--jobs N]
+       conetact --batch FILE [--jobs N]      (FILE of runs; -: standard input)
        conetact compare FOLDER FOLDER [--tolerance REL]
 
 Quasi-static frictional contact of linear elastic bodies with the exact
@@ -109,6 +109,16 @@ lets the increment that is running end, and a second one ends all at once: 130.
           letters += std::string(1, row.letter) +
                      (row.value == OptionRow::Value::none ? "" : ":");
       return letters;
+    }
+
+    /** As help calls it. */
+    std::string
+    value_name(const int letter)
+    {
+      for (const OptionRow &row : option_table())
+        if (row.letter == letter)
+          return row.value_name;
+      return "";
     }
 
     /** One of those that the table has for the option. */
@@ -205,7 +215,8 @@ lets the increment that is running end, and a second one ends all at once: 130.
             break;
           case ':':
             throw InputError(std::string("Option ") + argv[optind - 1] +
-                             " needs a value." + see_help);
+                             " needs a value, " + value_name(optopt) + "." +
+                             see_help);
           default:
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " is not known." + see_help);

@@ -220,7 +220,7 @@ namespace conetact::application
         add_contact(*coupling.contact,
                     coupling.name,
                     "Contact '" + coupling.name + "', ");
-        contacts.back().holds_every_node = true;
+        contacts.back().couples = true;
         for (const std::size_t load : coupling.loads)
           names[load] = coupling.name;
       }

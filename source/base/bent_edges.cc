@@ -68,7 +68,8 @@ namespace conetact
     return "the middle nodes of " + std::to_string(edges.n) + " edges of '" +
            file + "' lie beside the straight lines between corners, by up to " +
            to_text(scale * edges.distance) + " at " + to_text(place) +
-           ". Only corners are taken and edges are straight. Where that is not "
-           "small beside gaps and interferences, use smaller cells.";
+           ". The body has the corners only, with straight edges between them. "
+           "If that distance is not small beside gaps and interferences, use "
+           "smaller cells.";
   }
 } // namespace conetact

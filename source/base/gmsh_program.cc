@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -250,24 +251,13 @@ namespace conetact
       return folder;
     }
 
-    /** Gmsh leaves out what the last line says where it has no end. */
-    void
-    open_script(const std::filesystem::path &file)
+    /** With the first `old` replaced. */
+    std::string
+    replaced(std::string text, const std::string &old, const std::string &other)
     {
-      std::ostringstream read;
-      read << std::ifstream(file, std::ios::binary).rdbuf();
-      const std::string text = read.str();
-      if (text.empty() || text.back() == '\n')
-        return gmsh::open(file.string());
-      for (const char *other : {"Include", "Merge", "ShapeFromFile"})
-        if (text.find(other) != std::string::npos)
-          throw FileFault{"its last line has no end, and Gmsh leaves out what "
-                          "it says. Add a line break behind it"};
-      const std::filesystem::path folder = temporary_folder();
-      const std::filesystem::path whole  = folder / file.filename();
-      std::ofstream(whole, std::ios::binary) << text << '\n';
-      gmsh::open(whole.string());
-      std::filesystem::remove_all(folder);
+      if (const auto at = text.find(old); at != text.npos)
+        text.replace(at, old.size(), other);
+      return text;
     }
 
     /** A script may say so itself, by Error("..."), and goes on. */
@@ -280,6 +270,55 @@ namespace conetact
       for (const std::string &line : lines)
         if (line.rfind(mark, 0) == 0)
           throw FileFault{"Gmsh says: " + one_line(line.substr(mark.size()))};
+    }
+
+    /** A script in a folder of its own, whose mistakes are told with the name
+     * of the file. */
+    void
+    open_copy(const std::string &text, const std::filesystem::path &file)
+    {
+      const std::filesystem::path folder = temporary_folder();
+      const std::filesystem::path copy   = folder / file.filename();
+      std::ofstream(copy, std::ios::binary) << text;
+      try
+        {
+          gmsh::open(copy.string());
+          std::filesystem::remove_all(folder);
+          refuse_errors_of_script();
+        }
+      catch (const FileFault &fault)
+        {
+          throw FileFault{replaced(fault.why, copy.string(), file.string())};
+        }
+      catch (...) // what Gmsh throws
+        {
+          std::filesystem::remove_all(folder);
+          throw FileFault{"Gmsh says: " +
+                          replaced(last_error(), copy.string(), file.string())};
+        }
+    }
+
+    /** Gmsh leaves out what the last line says where it has no end, and writes
+     * what a script saves beside the script: then a copy is opened, if the
+     * script reads no other files. */
+    void
+    open_script(const std::filesystem::path &file)
+    {
+      std::ostringstream read;
+      read << std::ifstream(file, std::ios::binary).rdbuf();
+      const std::string text     = read.str();
+      const bool        has_end  = text.empty() || text.back() == '\n';
+      bool              is_alone = true;
+      for (const char *other : {"Include", "Merge", "ShapeFromFile"})
+        is_alone = is_alone && text.find(other) == std::string::npos;
+      if (!has_end && !is_alone)
+        throw FileFault{"its last line has no end, and Gmsh leaves out what "
+                        "it says. Add a line break behind it"};
+      if (is_alone &&
+          (!has_end || std::regex_search(text, std::regex("\\bSave\\b"))))
+        return open_copy(text + '\n', file);
+      gmsh::open(file.string());
+      refuse_errors_of_script();
     }
 
     /** By the drawing itself; a very large one by default. */
@@ -375,10 +414,7 @@ namespace conetact
       const std::string extension = extension_of(file);
       start(wishes);
       if (extension == "geo")
-        {
-          open_script(file);
-          refuse_errors_of_script();
-        }
+        open_script(file);
       else
         gmsh::open(file.string());
       double size = 0;

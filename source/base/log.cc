@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/process.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <iostream>
 
@@ -73,7 +74,10 @@ namespace conetact
   void
   print(const std::string &text)
   {
-    if (ProcessSession::speaks() && !(std::cout << text << std::flush))
+    errno = 0;
+    if (!ProcessSession::speaks() || std::cout << text << std::flush)
+      return;
+    if (errno != EPIPE) // whoever reads has enough, as `head` does
       throw WriteError("Standard output cannot be written: is the disk full?");
   }
 } // namespace conetact

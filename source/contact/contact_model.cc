@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/doubled_nodes.h"
 #include "conetact/contact/equal_bodies.h"
+#include "conetact/contact/pieces.h"
 #include "conetact/solvers/null_space.h"
 
 #include <deal.II/base/exceptions.h>
@@ -60,7 +61,10 @@ namespace conetact::contact
     , condenser(by)
     , form(needs_compliance() ? solvers::Form::compliance :
                                 solvers::Form::stiffness)
-  {}
+  {
+    if (form == solvers::Form::compliance)
+      refuse_loose_pieces(bodies, rules, motions);
+  }
 
   /* A column of `open` is a set of reactions that bound nodes and supports can
      exchange. Entries of orthonormal columns below 1e-9 are rounding. */

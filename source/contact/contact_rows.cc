@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace conetact::contact
 {
@@ -46,11 +47,13 @@ namespace conetact::contact
     /**
      * The point where the reaction acts on the other side, undeformed and not
      * moved. A node that was found again at `moved` meets an obstacle at node +
-     * moved - (gap + n.moved) n.
+     * moved - (gap + n.moved) n. One that meets nothing stays where it is.
      */
     Point<3>
     foot_of(const model::Bodies &bodies, const pairing::ContactNode &node)
     {
+      if (node.meets_nothing())
+        return node.position;
       if (node.masters.empty())
         return node.position + node.moved -
                (node.gap + node.n * node.moved) * node.n;
@@ -103,7 +106,9 @@ namespace conetact::contact
     row.node     = node.node;
     row.position = node.position;
     row.normal   = node.n;
-    row.area     = node.covered_area();
+    row.area     = node.couples ? 0. : node.covered_area();
+    row.faces    = !node.meets_nothing();
+    row.couples  = node.couples;
     row.foot     = foot_of(model.bodies, node);
     row.acts     = acting_at(model.bodies, node);
     // Tables name the normal only: whoever reads them knows its tangents.
@@ -332,25 +337,49 @@ namespace conetact::contact
       }
     };
 
+    /** Weights below that are the rounding of feet that stand on another node.
+     */
+    constexpr double weight_rounding = 1e-6;
+
     /** What slaves hand on to a master node. */
     struct SumOfSlaves
     {
       model::ContactRow row;
       Tensor<1, 3>      reaction, pressing; // in space
       Means             weighed, plain;
-      double            largest = 0;
+      double            largest = 0, most_carried = 0;
+      /** That of all slaves; none: they differ, or there is none yet. */
+      std::optional<solvers::NodeState> common;
+      bool                              any = false;
+
+      /** A master meets several nodes: it has the state of the one that it
+       * carries most of, the first of those that are alike but for rounding. */
+      void
+      judge(const double share, const model::ContactRow &slave)
+      {
+        constexpr double more    = 1 + 1e-9;
+        const double     carried = share * slave.reaction.norm();
+        if (carried > more * most_carried)
+          {
+            most_carried = carried;
+            row.state    = slave.state;
+          }
+        if (share <= weight_rounding)
+          return;
+        if (!any)
+          common = slave.state;
+        else if (common != slave.state)
+          common.reset();
+        any = true;
+      }
 
       /** A slave with this weight w on the master. */
       void
       add(const double weight, const model::ContactRow &slave)
       {
-        // A master meets several nodes: it has the state of the one that it
-        // carries most of.
+        judge(std::abs(weight), slave);
         if (weight > largest)
-          {
-            row.state  = slave.state;
-            row.normal = -slave.normal;
-          }
+          row.normal = -slave.normal;
         largest = std::max(largest, weight);
         row.area += weight * slave.area;
         // Weights are a little below zero beside a face that is overhung.
@@ -364,18 +393,19 @@ namespace conetact::contact
         row.covered += share * slave.area;
       }
 
+      /** `force`: the largest reaction of a slave of the contact. */
       model::ContactRow
-      finished(const unsigned int dim)
+      finished(const unsigned int dim, const double force)
       {
-        // Feet that stand on another node leave the rounding of weights, which
-        // says nothing of whose means these are.
-        constexpr double rounding = 1e-6;
-        const bool       is_met   = weighed.weight > rounding;
+        // The rounding of weights says nothing of whose means these are, that
+        // of forces nothing of who is carried.
+        constexpr double rounding = 1e-10;
+        const bool       is_met   = weighed.weight > weight_rounding;
         const Means     &means    = is_met ? weighed : plain;
-        if (!is_met)
-          row.state = solvers::NodeState::open;
+        if (!is_met || most_carried <= rounding * force)
+          row.state = common.value_or(solvers::NodeState::open);
         // Where slaves meet it from opposite sides their normals have no mean.
-        if (means.normal.norm() > rounding * means.weight)
+        if (means.normal.norm() > weight_rounding * means.weight)
           row.normal = means.normal / means.normal.norm();
         std::tie(row.t1, row.t2) = pairing::tangents(row.normal, dim);
         const auto in_row        = [&](const Tensor<1, 3> &v) {
@@ -401,11 +431,14 @@ namespace conetact::contact
     AssertDimension(rows.size(), last.size());
     // Keys are contact and node: a master of two contacts has a row in each.
     std::map<std::pair<unsigned int, unsigned int>, SumOfSlaves> sums;
+    std::map<unsigned int, double>                               forces;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
         const pairing::ContactNode &node = *model.points.all()[i].node;
         if (node.obstacle != nullptr)
           continue; // a free one is no body with nodes to be told
+        double &force = forces[last[i].contact];
+        force         = std::max(force, last[i].reaction.norm());
         for (const auto &[master, weight] : node.masters)
           if (weight != 0) // a node that takes no part has no normal
             {
@@ -424,7 +457,7 @@ namespace conetact::contact
           sum.row.wear =
             wear->sides()->depth(key.first, key.second, wear->of_sides());
         sum.row.foot = sum.row.acts = sum.row.position;
-        rows.push_back(sum.finished(model.bodies.dim));
+        rows.push_back(sum.finished(model.bodies.dim, forces[key.first]));
       }
   }
 } // namespace conetact::contact

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -33,6 +34,9 @@ namespace conetact::output
                                         "reactions.csv",
                                         "history.csv",
                                         "events.csv"};
+
+    /** What a table has where nothing is to be told, as of gaps to nothing. */
+    constexpr std::string_view nothing = "nan";
 
     /** Rows by what names them: "increment 3, contact sole, node 12". */
     class NamedRows
@@ -197,8 +201,22 @@ namespace conetact::output
         for (std::size_t i = 0; pair.is_number && i < table.n_rows(); ++i)
           if (const auto value = finite_number(table.cell(i, column)))
             pair.found.largest = std::max(pair.found.largest, std::abs(*value));
-          else
+          else if (table.cell(i, column) != nothing)
             pair.is_number = false;
+      }
+
+      /** Of cells that differ; a number differs from nothing without measure.
+       */
+      static double
+      difference_of(const Pair            &pair,
+                    const std::string_view a,
+                    const std::string_view b)
+      {
+        if (!pair.is_number)
+          return 0;
+        if (a == nothing || b == nothing)
+          return std::numeric_limits<double>::infinity();
+        return std::abs(*finite_number(a) - *finite_number(b));
       }
 
       void
@@ -211,10 +229,8 @@ namespace conetact::output
             const std::string_view b = other.cell(j, pair.other);
             if (a == b)
               continue;
-            const double difference =
-              pair.is_number ? std::abs(*finite_number(a) - *finite_number(b)) :
-                               0;
-            const bool beyond = is_beyond(pair, a, b, difference, i, j);
+            const double difference = difference_of(pair, a, b);
+            const bool   beyond     = is_beyond(pair, a, b, difference, i, j);
             take(pair, a, b, difference, rows_one.name(i), beyond);
             if (beyond && result.first.empty())
               result.first = name + ", " + rows_one.name(i) + ": " +
@@ -231,7 +247,7 @@ namespace conetact::output
           return ", more than " + to_text(limits.bound);
         if (pair.rule.judged == Judged::counted)
           return ", more than twice as many and 5";
-        if (!pair.is_number)
+        if (!pair.is_number || !std::isfinite(difference))
           return "";
         return ", a difference of " + to_text(difference) + ", " +
                to_text(difference / pair.found.largest) +
@@ -278,7 +294,8 @@ namespace conetact::output
               return !is_number || difference > limits.bound;
             case Judged::counted:
               {
-                if (!is_number || !same_solver(i, j))
+                if (!is_number || !std::isfinite(difference) ||
+                    !same_solver(i, j))
                   return false;
                 const auto [least, most] =
                   std::minmax(*finite_number(a), *finite_number(b));

@@ -82,7 +82,10 @@ namespace conetact::output
     csv.add(row.node);
     add(csv, row.position, "x", "y", "z");
     add(csv, row.normal, "n_x", "n_y", "n_z");
-    csv.add("gap", row.gap);
+    if (row.faces)
+      csv.add("gap", row.gap);
+    else
+      csv.add("nan");
     csv.add("u_n", row.u[0]);
     csv.add("u_t1", row.u[1]);
     csv.add("u_t2", has_t2 ? row.u[2] : 0.);

@@ -8,6 +8,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -32,6 +33,13 @@ namespace conetact::output
       return row.du[1] * row.t1 + row.du[2] * row.t2;
     }
 
+    /** Not a number where it faces nothing. */
+    double
+    gap_of(const model::ContactRow &row)
+    {
+      return row.faces ? row.gap : nan;
+    }
+
     /** What contact does to a node of a body. */
     struct ContactHere
     {
@@ -50,7 +58,7 @@ namespace conetact::output
         contacts.push_back(row.contact);
         traction += row.in_space(row.traction());
         wear = std::max(wear, row.wear);
-        gap  = first ? row.gap : std::min(gap, row.gap);
+        gap  = std::fmin(gap, gap_of(row)); // a number where there is one
         if (first || p > pressure)
           {
             pressure = p;
@@ -130,7 +138,7 @@ namespace conetact::output
     {
       ContactOfNodes corners;
       for (const model::ContactRow &row : record.rows)
-        if (run.contact_bodies.at(row.contact) == body)
+        if (run.contact_bodies.at(row.contact) == body && !row.couples)
           corners[row.node].add(row);
       for (const model::WornNode &worn : record.worn_masters)
         if (worn.body == body)
@@ -348,7 +356,7 @@ namespace conetact::output
               row.normal,
               displacement_of(run, record, body, row.node)})
           append(grid.point_fields[field++], vector);
-        for (const double scalar : {row.gap,
+        for (const double scalar : {gap_of(row),
                                     row.state_number(),
                                     static_cast<double>(row.contact),
                                     row.traction()[0]})

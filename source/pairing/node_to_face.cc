@@ -72,7 +72,7 @@ namespace conetact::pairing
   {
     if (contact.obstacle == nullptr)
       master.emplace(*structures[contact.master], contact.master_ids);
-    else if (!contact.holds_every_node && FacesOnObstacle::suits(surface))
+    else if (!contact.couples && FacesOnObstacle::suits(surface))
       on_obstacle.emplace(contact, body, surface);
   }
 
@@ -86,6 +86,7 @@ namespace conetact::pairing
     node.area     = s.area;
     node.obstacle = contact.obstacle;
     node.spacing  = spacing.at(s.node);
+    node.couples  = contact.couples;
     if (!surface.two_sided)
       node.outward = s.normals;
     return node;

@@ -397,7 +397,8 @@ namespace conetact::solvers
           continue;
         if (!good)
           {
-            why = "no descent in the line search";
+            why =
+              "no step along its direction, however short, lessens the error";
             return false;
           }
         x      = trial;

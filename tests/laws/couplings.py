@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Faces that move as one with a point where forces and moments act (Coupling = rigid)."""
+import csv
 import itertools
 import math
 import random
@@ -24,6 +25,7 @@ def couplings(laws):
     driven_wheel(laws)
     as_written_by_hand(laws)
     ring(laws)
+    without_pressure(laws)
     beside_contacts(laws)
     continued(laws)
 
@@ -39,6 +41,11 @@ def bar(dim, backend="condensed", poisson=0.0, element="Q2", cells=None, **more)
             "Body block": {**box(cells or ((6, 2) if dim == 2 else (3, 2, 2)), size, young=YOUNG, poisson=poisson), "Element": element},
             "Support left": support(0, "x, y" if dim == 2 else "x, y, z"),
             "Solver": {"Backend": backend}, "Output": {"VTU": 0}, **more}
+
+
+def last_row(run, table):
+    with open(run.folder / table, newline="") as stream:
+        return list(csv.DictReader(stream))[-1]
 
 
 def motion(run, name="end"):
@@ -264,6 +271,16 @@ def ring(laws):
         exact = -70 * 2 / (YOUNG * math.pi * (1.5**2 - 1))
         laws.check(f"tube, {backend}: its end", abs(motion(run)[0][1] / exact - 1), 1e-11)
         laws.check("  the support", abs(run.increments[-1]["support_left_f_y"] / 70 - 1), 1e-12)
+
+
+def without_pressure(laws):
+    """Forces pass through its nodes; pressures along the axes of their frames would say nothing."""
+    for dim, backend in itertools.product((2, 3), BACKENDS):
+        run = laws.run(bar(dim, backend, .3, **{"Load end": at_point("force", (-6.0, 1.0, .5)[:dim], (LENGTH, .5, .4)[:dim])}))
+        row = last_row(run, "history.csv")
+        laws.demand(f"{dim}D, {backend}: a coupling has no pressure", float(row["largest_pressure"]) == 0 and not row["largest_pressure_contact"]
+                    and all(r["pressure"] == r["area"] == r["traction_t1"] == 0 for r in run.rows))
+        laws.check("  its nodes have the force", abs(run.increments[-1]["coupling_end_f_x"] / -6 - 1), 1e-10)
 
 
 def beside_contacts(laws):

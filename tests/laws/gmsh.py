@@ -83,5 +83,39 @@ def heat(laws):
 
 
 def gmsh(laws):
-    for law in (formats, bodies_of_a_file, heat):
+    for law in (formats, bodies_of_a_file, heat, islands):
         law(laws)
+
+
+def squares(places, n=4, h=.25):
+    """Squares of 1 that stand beside each other, as a file of Gmsh: bottoms are 10, 11, ..., tops 20, 21, ..."""
+    nodes, elements = [], []
+    for k, x in enumerate(places):
+        number = [[len(nodes) + 1 + j * (n + 1) + i for i in range(n + 1)] for j in range(n + 1)]
+        nodes += [(x + i * h, j * h) for j in range(n + 1) for i in range(n + 1)]
+        elements += [(3, 1, (number[j][i], number[j][i + 1], number[j + 1][i + 1], number[j + 1][i])) for j in range(n) for i in range(n)]
+        elements += [(1, id + k, number[j][i:i + 2]) for id, j in ((10, 0), (20, n)) for i in range(n)]
+    return "\n".join(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes)),
+                      *(f"{i} {x} {y} 0" for i, (x, y) in enumerate(nodes, 1)), "$EndNodes", "$Elements", str(len(elements)),
+                      *(f"{i} {kind} 2 {tag} {tag} {' '.join(map(str, at))}" for i, (kind, tag, at) in enumerate(elements, 1)),
+                      "$EndElements", ""])
+
+
+def islands(laws):
+    """A body of two pieces: each held by supports, or refused by both backends and before a run, by name and place."""
+    (laws.folder / "islands.msh").write_text(squares((0.0, 3.0)))
+    free = {"Dimension": 2, "Body pair": {"Mesh": {"File": "islands.msh"}, "Material": {"Young modulus": SOFT, "Poisson ratio": 0}},
+            "Obstacle floor": floor(2), "Contact bottom": contact("pair", "10, 11"), "Load top": load("pressure", "t", "20, 21", "pair"),
+            "Output": {"VTU": 0}}
+    held = merge(free, {"Contact bottom": None, "Obstacle floor": None, "Support left": support(10, "x, y", body="pair"),
+                        "Support right": support(11, "x, y", body="pair")})
+    for backend in ("condensed", "iterative"):
+        solver = {"Solver": {"Backend": backend}}
+        row = laws.run(merge(held, solver)).increments[-1]
+        laws.check(f"two pieces that are held, {backend}: each carries its own",
+                   max(abs(row[f"support_{side}_f_y"] - 1) for side in ("left", "right")), 1e-10)
+        for arguments in ((), ("--dry-run",)):
+            done, _ = laws.start(merge(free, solver), *arguments)
+            laws.demand(f"two pieces that are not held, {backend} {' '.join(arguments)}: exit code {done.returncode}: {done.stderr.strip()}",
+                        done.returncode == 1 and "Body 'pair' is of 2 pieces that are not joined" in done.stderr
+                        and "25 nodes around (0.5, 0.5, 0), 25 nodes around (3.5, 0.5, 0)" in done.stderr)

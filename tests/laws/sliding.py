@@ -3,6 +3,7 @@
 """Finite sliding: contacts that are found again where bodies and obstacles are."""
 import math
 
+from laws.scene_pictures import field, read
 from support.logs import log_of, work_of
 from support.scenes import box, contact, load, merge, press_and_shear, support
 from support.tables import MOTION, in_space, normal
@@ -180,6 +181,10 @@ def leave_and_return(laws):
         laws.check(f"leave and return, {pairing}: the way back", max(abs(a - b) for a, b in zip(forces, forces[::-1])) / forces[0],
                    1e-8)
         laws.check(f"leave and return, {pairing}: nothing beyond", abs(forces[8]), 0)
+        gaps = {k: [row["gap"] for row in of_body(run).rows if row["increment"] == k] for k in (1, 9)}
+        laws.demand("  and no gap to it", all(math.isnan(gap) for gap in gaps[9]) and all(gap == 0 for gap in gaps[1]))
+    drawn = laws.run(merge(slab(scene, (12, 2), (3.0, 1.0), (-.53, -1.0), "bottom"), {"Time": {"End": 9, "Increments": 9}, "Output": {"VTU": 9}}))
+    laws.demand("  nor in pictures", all(math.isnan(gap) for gap in field(read(drawn.folder / "surface-block-0009.vtu"), "gap")))
 
 
 def halves(laws):

@@ -37,7 +37,8 @@ class Run:
         return tuple(float(row[f"{name}_u_{c}"]) for c in "xyz")
 
     def largest(self, *columns):
-        return max(max(abs(row[c]) for c in columns) for row in self.rows)
+        """Of what is a number: gaps to nothing are none."""
+        return max(max(abs(row[c]) for c in columns if row[c] == row[c]) for row in self.rows)
 
     def at(self, order=None):
         """Rows by increment and place; `order` maps a place onto that of another run."""

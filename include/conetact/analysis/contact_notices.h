@@ -65,6 +65,8 @@ namespace conetact::analysis
     judge_facets(const unsigned int contact, const Closed &closed);
     /** What facets do to pressures; empty: nothing. */
     std::string
+    of_second_degree(const unsigned int c) const;
+    std::string
     of_facet(const unsigned int contact,
              const Closed      &closed,
              const double       facet) const;

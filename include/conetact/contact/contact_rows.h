@@ -38,7 +38,9 @@ namespace conetact::contact
      * Rows of all contact nodes; then, for pairs of bodies, those of the
      * master nodes they meet, whose contact index is that of `master_side`:
      * reactions there are minus those of the pair's nodes, gaps and
-     * displacements their weighted means.
+     * displacements their weighted means, states those of the nodes that they
+     * carry most of. Where they carry nothing they are open, unless all nodes
+     * above them are in one other state.
      *
      * Of an increment that was not solved as a `whole`, states tell the slip
      * of all its parts. `state`: end of the increment; `q`: displacements of

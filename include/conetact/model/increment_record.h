@@ -36,6 +36,8 @@ namespace conetact::model
     double             removed  = 0; ///< volume of both so far [length^3]
     bool               bonded   = false; ///< sticks, and would bear a pull
     bool               wet      = false; ///< a fluid is between its sides
+    bool               faces    = true;  ///< something, so that it has a gap
+    bool               couples  = false; ///< it has forces, and no pressure
     double             fracture = 0; ///< work against its bond [force x length]
 
     /** Of a master: reactions and areas that add up without the signs of their

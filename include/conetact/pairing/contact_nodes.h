@@ -74,9 +74,9 @@ namespace conetact::pairing
     std::string               pairing = "node to face"; ///< row of pairings()
     double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
     bool   slides     = false; ///< far: its nodes are found again and again
-    /** Of an obstacle: each node of faces of second degree by itself, those in
-     * the middle as well, in place of means over faces at their corners. */
-    bool holds_every_node = false;
+    /** Faces of a rigid load: each node by itself, in place of means over faces
+     * of second degree at their corners. It has forces, and no pressure. */
+    bool couples = false;
 
     /** None: bound contacts. */
     std::shared_ptr<const FrictionLaw> friction;
@@ -170,6 +170,8 @@ namespace conetact::pairing
     std::optional<unsigned int> opening;
     /** Whether the nodes of its contact are means over faces (mortar). */
     bool is_mean = false;
+    /** Whether it is one of the faces of a rigid load. */
+    bool couples = false;
     /**
      * Of the normals of bent faces with its own one, the mean that the node
      * is: of a way along all these normals it sees so much. Of dual functions

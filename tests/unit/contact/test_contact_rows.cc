@@ -229,3 +229,36 @@ TEST(ContactRows, UniformMotionsAreThoseOfTheMastersToo)
       test::expect_near(row.u, row.du);
     }
 }
+
+
+
+// a solver tells nodes without force stick or slip as it comes
+TEST(ContactRows, StatesOfMastersAreThoseOfWhatTheyCarry)
+{
+  for (const char *pairing : {"mortar", "node to face"})
+    {
+      const auto            scene = test::make_scene(joint(pairing));
+      ContactModel          model(scene->bodies, {1});
+      ContactRows           translator(model, scene->master_side);
+      const Eigen::VectorXd u = Eigen::VectorXd::Zero(
+        static_cast<Eigen::Index>(model.elastic.bodies.dim) * (8 + 12));
+      const Eigen::VectorXd q     = model.relative_displacements(u, 1);
+      auto                  state = made_up(model, 1);
+      state.r.setConstant(1e-18);
+      // the first node carries all, and slips
+      for (Eigen::Index k = 0; k < 2; ++k)
+        state.r[model.points[0].first + k] = 1;
+      for (std::size_t i = 0; i < model.points.size(); ++i)
+        state.node[i] = i == 0 ? NodeState::slip :
+                        i % 2  ? NodeState::stick :
+                                 NodeState::open;
+      const double x0 = model.points[0].node->position[0];
+      for (const ContactRow &row : translator.rows(state, q, {}, shared(u), 1))
+        if (row.master)
+          {
+            const bool carries = row.reaction.norm() > 1e-9;
+            EXPECT_EQ(row.state, carries ? NodeState::slip : NodeState::open)
+              << pairing << ", " << row.position << ", beside " << x0;
+          }
+    }
+}
