@@ -13,32 +13,41 @@ there, weak_scaling.png to FOLDER.
 """
 import argparse
 import csv
+import math
 import re
-import subprocess
+import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, table
+from measure import TOP, checked_resources, table
 
 COLUMNS = ("processes", "dofs", "iterations an increment", "messages", "bytes", "sums", "bytes of sums", "cells", "cells, largest over mean",
            "ghosts", "memory MB")
 SHAPES = {1: (1, 1, 1), 2: (2, 1, 1), 4: (2, 2, 1), 8: (2, 2, 2), 16: (4, 2, 2), 32: (4, 4, 2), 64: (4, 4, 4)}
 
 
-def run(build, processes, cells, increments):
-    """log.txt and the linear iterations of each increment."""
-    counts = [cells * n for n in SHAPES[processes]]
-    sides = [n / SHAPES[processes][2] for n in SHAPES[processes]]
+def dofs_of(counts):
+    return 3 * math.prod(n + 1 for n in counts)
+
+
+def shape(processes, cells):
+    """Cells along each axis where each process has cells^3."""
+    return [cells * n for n in SHAPES[processes]]
+
+
+def run(build, processes, counts, increments):
+    """log.txt of a block of so many equal cubes along each axis, of height 1, and the CPU seconds of all processes."""
+    sides = [n / counts[2] for n in counts]
     with tempfile.TemporaryDirectory() as folder:
         changes = ["Solver/Backend=iterative", "Output/VTU=0", f"Time/End={increments}", f"Time/Increments={increments}",
                    "Body block/Mesh/Arguments=" + " : ".join(", ".join(map(str, part)) for part in (counts, (0, 0, 0), sides)) + " : true"]
-        command = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", str(processes)] if processes > 1 else []
-        command += [str(build / "conetact"), str(TOP / "parameter-files/block-press-shear.prm"), "-q", "-o", folder]
+        command = [shutil.which("mpirun"), "--oversubscribe", "--allow-run-as-root", "--bind-to", "none", "-n", processes] if processes > 1 else []
+        command += [build / "conetact", TOP / "parameter-files/block-press-shear.prm", "-q", "-o", folder]
         for change in changes:
             command += ["-s", change]
-        subprocess.run(command, check=True)
-        return (Path(folder) / "log.txt").read_text()
+        seconds = checked_resources(command, one_core=False)[0]
+        return (Path(folder) / "log.txt").read_text(), seconds
 
 
 def numbers(log, name):
@@ -47,22 +56,25 @@ def numbers(log, name):
     return [float(part.split()[0]) for part in found[1].split(", ")] if found else []
 
 
+def megabytes(log):
+    """Peak memory of each process."""
+    return numbers(log, "memory of processes") or [float(re.search(r"memory: ([\d.]+) MB", log)[1])]
+
+
 def iterations(log):
     return int(re.search(r"(\d+) linear iterations", log)[1])
 
 
 def measure(build, processes, cells, libraries):
-    first, last = (run(build, processes, cells, n) for n in (1, 3))
+    first, last = (run(build, processes, shape(processes, cells), n)[0] for n in (1, 3))
     between = iterations(last) - iterations(first)
 
     def each(name):
         ends = [max(numbers(log, name), default=0) for log in (first, last)]
         return (ends[1] - ends[0]) / between
     seen = numbers(last, "elements seen by processes") or [float(re.search(r"elements seen: (\d+)", last)[1])]
-    memory = numbers(last, "memory of processes") or [float(re.search(r"memory: ([\d.]+) MB", last)[1])]
-    dofs = 3
-    for n in SHAPES[processes]:
-        dofs *= n * cells + 1
+    memory = megabytes(last)
+    dofs = dofs_of(shape(processes, cells))
     return dict(zip(COLUMNS, (processes, dofs, iterations(last) / 3, each("messages to neighbours"), each("their bytes"),
                               each("sums and lists of all processes"), each("bytes of their parts"), max(seen),
                               max(seen) * len(seen) / sum(seen), max(numbers(last, "nodes of others in one exchange"), default=0),
@@ -99,8 +111,8 @@ def main():
     options = parser.parse_args()
     options.results.mkdir(parents=True, exist_ok=True)
     build = options.build.resolve()
-    small = run(build, 1, 2, 1)
-    libraries = float(re.search(r"memory: ([\d.]+) MB", small)[1])
+    small = run(build, 1, (2, 2, 2), 1)[0]
+    libraries = megabytes(small)[0]
     processes = sorted({1, *options.processes})  # one process tells how often elements are looked at
     rows = [measure(build, n, options.cells, libraries) for n in processes]
     times_seen = rows[0]["cells"] / options.cells**3

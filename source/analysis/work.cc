@@ -75,13 +75,16 @@ namespace conetact::analysis
         processes,
         [](const Needs &needs) { return megabytes(needs.peak_memory); },
         log);
-      note_each(
-        "CPU of processes",
-        processes,
-        [](const Needs &needs) {
-          return to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
-        },
-        log);
+      const auto seconds = [](const double Needs::*of) {
+        return [of](const Needs &needs) {
+          return to_text(std::round(100 * needs.*of) / 100) + " s";
+        };
+      };
+      note_each("CPU of processes",
+                processes,
+                seconds(&Needs::cpu_seconds),
+                log);
+      note_each("  of which waiting", processes, seconds(&Needs::waited), log);
       note_each("elements seen by processes",
                 processes,
                 count(&Needs::elements),

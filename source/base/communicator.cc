@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <thread>
@@ -32,6 +33,27 @@ namespace conetact
     {
       std::vector<MPI_Request> requests = {request};
       Communicator::wait(requests);
+    }
+
+    /** Of this thread so far. */
+    double
+    cpu_seconds()
+    {
+      timespec t;
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+      return static_cast<double>(t.tv_sec) +
+             1e-9 * static_cast<double>(t.tv_nsec);
+    }
+
+    bool
+    are_done(std::vector<MPI_Request> &requests)
+    {
+      int done = 0;
+      MPI_Testall(static_cast<int>(requests.size()),
+                  requests.data(),
+                  &done,
+                  MPI_STATUSES_IGNORE);
+      return done != 0;
     }
 
     /** Numbers of each process that are added in the order of processes. */
@@ -163,16 +185,11 @@ namespace conetact
   void
   Communicator::wait(std::vector<MPI_Request> &requests)
   {
-    using Clock      = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    for (int done = 0;;)
+    using Clock         = std::chrono::steady_clock;
+    const auto   start  = Clock::now();
+    const double before = cpu_seconds();
+    while (!are_done(requests))
       {
-        MPI_Testall(static_cast<int>(requests.size()),
-                    requests.data(),
-                    &done,
-                    MPI_STATUSES_IGNORE);
-        if (done != 0)
-          break;
         const auto waited = Clock::now() - start;
         if (waited > briefly)
           std::this_thread::sleep_for(
@@ -180,6 +197,7 @@ namespace conetact
         else if (waited > at_once)
           std::this_thread::yield();
       }
+    traffic().waited += cpu_seconds() - before;
     requests.clear();
   }
 

@@ -316,13 +316,13 @@ namespace conetact
              1e-6 * static_cast<double>(t.tv_usec);
     };
     const Traffic   sent = traffic();
-    Eigen::VectorXd own(8);
+    Eigen::VectorXd own(9);
     own << 1024. * static_cast<double>(usage.ru_maxrss),
       seconds(usage.ru_utime) + seconds(usage.ru_stime),
       static_cast<double>(elements), static_cast<double>(sent.ghosts),
       static_cast<double>(sent.messages), static_cast<double>(sent.bytes),
       static_cast<double>(sent.n_collective),
-      static_cast<double>(sent.collective_bytes);
+      static_cast<double>(sent.collective_bytes), sent.waited;
     const Eigen::VectorXd found = team().gather_all(own);
     std::vector<Needs>    needs;
     for (Eigen::Index p = 0; p < found.size(); p += own.size())
@@ -333,7 +333,8 @@ namespace conetact
                        found(p + 4),
                        found(p + 5),
                        found(p + 6),
-                       found(p + 7)});
+                       found(p + 7),
+                       found(p + 8)});
     return needs;
   }
 } // namespace conetact

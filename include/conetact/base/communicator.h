@@ -20,6 +20,7 @@ namespace conetact
     std::uint64_t messages = 0, bytes = 0;                ///< to neighbours
     std::uint64_t n_collective = 0, collective_bytes = 0; ///< its part
     std::uint64_t ghosts = 0; ///< most nodes of others in one exchange
+    double        waited = 0; ///< CPU time of waiting for others [s]
 
     void
     add_message(const std::size_t n_bytes)

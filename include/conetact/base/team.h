@@ -103,6 +103,7 @@ namespace conetact
     double ghosts      = 0;         ///< most nodes of others in one exchange
     double messages = 0, bytes = 0; ///< to neighbours
     double n_collective = 0, collective_bytes = 0; ///< what all do, its part
+    double waited = 0; ///< of cpu_seconds, for others
   };
   /** Of each process of the team, of which this one has looked at so many
    * elements. */
