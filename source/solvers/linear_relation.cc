@@ -444,8 +444,10 @@ namespace conetact::solvers
     const FrictionLimit least = relation.limit(i, 0, 0, 0);
     if (least.by_force > 0 || least.value > 0)
       return false;
-    // where it is pressed by all of the load, whatever pulls at it
+    // where it is pressed by all of the load, whatever pulls at it, and at rest
+    // or as fast as that load moves anything
     const double pressed = 1 + std::max(relation.bond(i, 0, 0).value, 0.);
-    return !(relation.limit(i, pressed, 0, 0).value > 0);
+    return !(relation.limit(i, pressed, 0, 0).value > 0) &&
+           !(relation.limit(i, pressed, 1, 0).value > 0);
   }
 } // namespace conetact::solvers

@@ -191,7 +191,7 @@ namespace conetact::solvers
 
   /** Whether node i has no friction, neither where nothing presses it nor
    * where all of the load does: what is pulled by a bond may have none, and
-   * coefficients may rise from 0 with pressure. */
+   * coefficients may rise from 0 with pressure or with speed. */
   bool
   is_frictionless(const LinearRelation &relation, const Eigen::Index i);
 } // namespace conetact::solvers
