@@ -44,6 +44,13 @@ def of_speed(chance):
                           f"table(v; 0 : {mu}; {speed} : {mu * 1.5!r})"))
 
 
+def of_speed_steeply(chance):
+    """One that changes faster than bodies resist: within slips of next to nothing, or so that what slips jumps."""
+    mu, speed = number(chance, .1, .5), number(chance, 1e-4, 3e-3)
+    return chance.choice((f"{mu}*(0.4 + 0.6*exp(-v/{speed}))", f"{mu}*(1 - 0.6*min(v/{speed}, 1))", f"{mu}*v/(v + {speed / 30!r})",
+                          f"{mu}*min(v/{speed / 30!r}, 1)", f"{mu}*(0.4 + 0.6/(1 + v/{speed}))"))
+
+
 def varying(chance, dim):
     return {"Friction coefficient": of_place_and_way(chance)}
 
@@ -54,6 +61,10 @@ def by_pressure(chance, dim):
 
 def by_speed(chance, dim):
     return {"Friction coefficient": of_speed(chance)}
+
+
+def by_speed_steeply(chance, dim):
+    return {"Friction coefficient": of_speed_steeply(chance)}
 
 
 def limited(chance, dim):
@@ -100,8 +111,19 @@ def passing(chance, dim):
             "Active": chance.choice((f"t > {a}.5", f"(t < {a}.5) + (t > {b}.5)", f"(t > {a}.5)*(t < {b}.5)"))}
 
 
-FAMILIES = {"x t T s": varying, "pressure": by_pressure, "speed": by_speed, "shear limit": limited, "elliptic": elliptic,
-            "wear": wearing, "layers": layered, "active": passing}
+def together(chance, dim):
+    """Any of these beside each other."""
+    law = {**layered(chance, dim), **limited(chance, dim)}
+    if chance.random() < .5:
+        law.update(wearing(chance, dim))
+    if chance.random() < .3:
+        law["Active"] = passing(chance, dim)["Active"]
+    law["Friction coefficient"] = chance.choice((of_place_and_way, of_pressure, of_speed))(chance)
+    return law
+
+
+FAMILIES = {"x t T s": varying, "pressure": by_pressure, "speed": by_speed, "steep in speed": by_speed_steeply, "shear limit": limited,
+            "elliptic": elliptic, "wear": wearing, "layers": layered, "active": passing, "together": together}
 
 
 def motion(chance, dim):

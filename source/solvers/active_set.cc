@@ -131,6 +131,18 @@ namespace conetact::solvers
 
 
 
+  SolverReport
+  ActiveSet::solve_with_own_slopes(const ContactProblem &problem,
+                                   ContactState         &state)
+  {
+    system->take_own_slopes(true);
+    const SolverReport report = solve_from_states(problem, state);
+    system->take_own_slopes(false);
+    return report;
+  }
+
+
+
   /* Near the end Newton's own slopes are the better ones, as they converge
      quadratically: a few times in turn, one set of slopes leads nearer, the
      other one tries to end it. Only solutions of the problem itself count. */
@@ -197,7 +209,10 @@ namespace conetact::solvers
             near.node         = std::move(states);
             try_from(near, &ActiveSet::solve_from_states);
           }
-    if (!report.converged && !problem.has_cones())
+    if (report.converged || problem.has_cones())
+      return;
+    try_from(start, &ActiveSet::solve_with_own_slopes);
+    if (!report.converged)
       try_from(start, &ActiveSet::solve_without_fall);
   }
 

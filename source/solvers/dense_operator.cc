@@ -49,6 +49,15 @@ namespace conetact::solvers
 
 
 
+  std::vector<NodeLaw>
+  DenseOperator::laws_at(const NodeSets &sets, const NewtonPoint &point) const
+  {
+    return linearized_laws(
+      numbers, sets, point.p, point.d, false, has_own_slopes);
+  }
+
+
+
   bool
   DenseOperator::is_balanced(const NewtonPoint &point) const
   {
@@ -68,13 +77,12 @@ namespace conetact::solvers
   {
     const unsigned int before = newton.n_factorizations();
     Array              dp;
-    const bool         solved =
-      newton.solve(numbers,
-                   linearized_laws(numbers, sets, from.p, from.d),
-                   Array::Zero(from.p.size()),
-                   precision,
-                   dp,
-                   regularised);
+    const bool         solved = newton.solve(numbers,
+                                     laws_at(sets, from),
+                                     Array::Zero(from.p.size()),
+                                     precision,
+                                     dp,
+                                     regularised);
     report.factorizations += newton.n_factorizations() - before;
     if (!solved)
       return {};
@@ -106,9 +114,7 @@ namespace conetact::solvers
         const NodeSets now = sets_of_point(numbers, point.p, point.d);
         Array          dp;
         if (signature(now) != states ||
-            !newton.solve_again(numbers,
-                                linearized_laws(numbers, now, point.p, point.d),
-                                dp))
+            !newton.solve_again(numbers, laws_at(now, point), dp))
           break;
         NewtonPoint next = point_at(point.p + dp);
         if (!(next.law < gain * point.law))

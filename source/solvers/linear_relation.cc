@@ -116,17 +116,21 @@ namespace conetact::solvers
     }
 
     /* The own compliance of a node is 1 in scaled variables, and 1 + C with a
-       layer: step v is to r there what v is to r without one. Slopes are those
-       without load, so that a step is the same in all of an increment. The
-       scale of loads, which is not known yet here, does not enter. */
-    VectorXd
+       layer: step v is to r there what v is to r without one. A layer may give
+       way along its normal alone: tangents have a step of their own, and the
+       law holds for any factors of both. Slopes are those without load, so that
+       a step is the same in all of an increment. The scale of loads, which is
+       not known yet here, does not enter. */
+    std::vector<Step>
     steps_of(const LinearRelation &relation)
     {
-      VectorXd steps(relation.system().n_nodes());
-      for (Index i = 0; i < steps.size(); ++i)
+      std::vector<Step> steps(
+        static_cast<std::size_t>(relation.system().n_nodes()));
+      for (std::size_t i = 0; i < steps.size(); ++i)
         {
-          const Layer unloaded = relation.layer(i, 0, 0);
-          steps(i) = 1 / (1 + std::max(unloaded.shear, unloaded.by_force));
+          const Layer unloaded = relation.layer(static_cast<Index>(i), 0, 0);
+          steps[i]             = {1 / (1 + unloaded.shear),
+                                  1 / (1 + std::max(unloaded.by_force, 0.))};
         }
       return steps;
     }
@@ -223,12 +227,13 @@ namespace conetact::solvers
         return {mu * r_n, mu, 0};
       }
     const double  force  = unit_of_force(i);
-    const double  length = unit_of_length(i) / step(i);
+    const double  along  = unit_of_length(i) / step(i).along;
+    const double  normal = unit_of_length(i) / step(i).normal;
     FrictionLimit result =
-      laws->limit(i, force * r_n, length * slip, length * gap);
+      laws->limit(i, force * r_n, along * slip, normal * gap);
     result.value /= force;
-    result.by_slip *= length / force;
-    result.by_gap *= length / force;
+    result.by_slip *= along / force;
+    result.by_gap *= normal / force;
     return result;
   }
 
@@ -244,11 +249,12 @@ namespace conetact::solvers
     if (!has_ellipses())
       return {};
     const double force  = unit_of_force(i);
-    const double length = unit_of_length(i) / step(i);
-    Aspect result = laws->aspect(i, force * r_n, length * slip, length * gap);
+    const double along  = unit_of_length(i) / step(i).along;
+    const double normal = unit_of_length(i) / step(i).normal;
+    Aspect result = laws->aspect(i, force * r_n, along * slip, normal * gap);
     result.by_force *= force;
-    result.by_slip *= length;
-    result.by_gap *= length;
+    result.by_slip *= along;
+    result.by_gap *= normal;
     return result;
   }
 
@@ -261,11 +267,12 @@ namespace conetact::solvers
     if (!laws)
       return {};
     const double force  = unit_of_force(i);
-    const double length = unit_of_length(i) / step(i);
-    Bond         result = laws->bond(i, length * slip, length * gap);
+    const double along  = unit_of_length(i) / step(i).along;
+    const double normal = unit_of_length(i) / step(i).normal;
+    Bond         result = laws->bond(i, along * slip, normal * gap);
     result.value /= force;
-    result.by_slip *= length / force;
-    result.by_gap *= length / force;
+    result.by_slip *= along / force;
+    result.by_gap *= normal / force;
     return result;
   }
 
@@ -295,13 +302,13 @@ namespace conetact::solvers
     eigen_assert(r.size() == v.size());
     for (Index i = 0; i < contact_system->n_nodes(); ++i)
       {
-        const Index first = contact_system->first[i];
-        const Index size  = contact_system->n_tangents(i) + 1;
-        v.segment(first, size) =
-          step(i) * see([&](const double r_n,
-                            const double slip) { return layer(i, r_n, slip); },
-                        v.segment(first, size),
-                        r.segment(first, size));
+        const Index first      = contact_system->first[i];
+        const Index size       = contact_system->n_tangents(i) + 1;
+        v.segment(first, size) = step(i).of(size).cwiseProduct(
+          see([&](const double r_n,
+                  const double slip) { return layer(i, r_n, slip); },
+              v.segment(first, size),
+              r.segment(first, size)));
       }
   }
 
@@ -437,8 +444,10 @@ namespace conetact::solvers
     const FrictionLimit least = relation.limit(i, 0, 0, 0);
     if (least.by_force > 0 || least.value > 0)
       return false;
-    // where it is pressed by all of the load, whatever pulls at it
+    // where it is pressed by all of the load, whatever pulls at it, and at rest
+    // or as fast as that load moves anything
     const double pressed = 1 + std::max(relation.bond(i, 0, 0).value, 0.);
-    return !(relation.limit(i, pressed, 0, 0).value > 0);
+    return !(relation.limit(i, pressed, 0, 0).value > 0) &&
+           !(relation.limit(i, pressed, 1, 0).value > 0);
   }
 } // namespace conetact::solvers

@@ -107,6 +107,23 @@ namespace conetact::solvers
       SmallVector scale; ///< of slips
     };
 
+    /** Its limit where its friction is followed to the slip that it leads to.
+     */
+    FrictionLimit
+    held_limit(const LinearRelation &relation,
+               const Index           i,
+               const double          s,
+               const Seen           &seen)
+    {
+      const Index nt = seen.v.size() - 1;
+      return where_held(
+        [&](const double slip) {
+          return relation.limit(i, s, slip, seen.gap());
+        },
+        seen.slip(),
+        (seen.r - seen.v).head(nt).norm());
+    }
+
     /** So much of a short slip that z_t is well outside of the limit. */
     double
     weight_of_slip(const Seen &seen, const double limit)
@@ -234,7 +251,7 @@ namespace conetact::solvers
           set.state = NodeState::slip;
         else if (set.state == NodeState::slip)
           {
-            const SmallVector slip = relation.step(i) *
+            const SmallVector slip = relation.step(i).along *
                                      state.v.segment(first, nt) /
                                      relation.unit_of_length(i);
             const SmallVector r =
@@ -276,7 +293,8 @@ namespace conetact::solvers
         const double limit =
           limit_at(relation, i, std::max(z(nt), 0.), seen.v).value;
         if (limit > 0 && z.head(nt).norm() <= limit &&
-            is_dragged(relation, i, seen.v, least_slip * relation.step(i)))
+            is_dragged(
+              relation, i, seen.v, least_slip * relation.step(i).along))
           {
             set.weight = weight_of_slip(seen, limit);
             z.head(nt) =
@@ -299,21 +317,6 @@ namespace conetact::solvers
     return sets;
   }
 
-  void
-  append_balance(const LinearRelation &relation,
-                 const VectorXd       &d,
-                 std::vector<NodeLaw> &laws)
-  {
-    eigen_assert(d.size() == relation.system().n_unknowns());
-    eigen_assert(laws.size() == at(relation.system().n_nodes()));
-    const SmallMatrix one = SmallMatrix::Ones(1, 1);
-    for (Index j = 0; j < relation.system().n_motions; ++j)
-      laws.push_back(
-        {SmallMatrix::Zero(1, 1),
-         one,
-         -d.segment(relation.system().n_contact_unknowns() + j, 1)});
-  }
-
   /* The chain rule, from the inside out: law_of() is linear in stretched slips
      and forces, which see_stretched() turns into those of the ellipse,
      see_bond() into reactions without their bond, see_through() into
@@ -323,7 +326,8 @@ namespace conetact::solvers
                   const NodeSets       &sets,
                   const VectorXd       &p,
                   const VectorXd       &d,
-                  const bool            definite)
+                  const bool            definite,
+                  const bool            own_slopes)
   {
     eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
@@ -336,9 +340,13 @@ namespace conetact::solvers
         const Seen         seen(relation, i, x);
         const SmallVector &v = seen.v, &r = seen.r;
         const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
-        const auto         limit = limit_at(relation, i, zn, v);
         // States that are open or stick say what v and r are, stretched or not.
         const bool is_stretched = relation.has_ellipses() && turns(sets[at(i)]);
+        const bool is_own       = own_slopes || relation.has_cones() ||
+                            relation.has_ellipses() ||
+                            sets[at(i)].state != NodeState::slip;
+        const auto    limit = is_own ? limit_at(relation, i, zn, v) :
+                                       held_limit(relation, i, zn, seen);
         LinearizedLaw law =
           law_of(sets[at(i)],
                  limit,
@@ -357,8 +365,11 @@ namespace conetact::solvers
                         law);
         if (relation.is_bonded(i))
           see_bond(relation.bond(i, slip, seen.gap()), v, law);
-        if (const double step = relation.step(i); relation.has_layers())
-          see_through(relation.layer(i, r(dim - 1), slip / step), step, v, law);
+        if (const Step step = relation.step(i); relation.has_layers())
+          see_through(relation.layer(i, r(dim - 1), slip / step.along),
+                      step.of(dim),
+                      v,
+                      law);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
@@ -384,8 +395,8 @@ namespace conetact::solvers
     double               sum     = x.v.tail(system.n_motions).squaredNorm();
     VectorXd             allowed = relation.rounding(p); // of v, not of step v
     for (Index i = 0; relation.has_layers() && i < system.n_nodes(); ++i)
-      allowed.segment(system.first[i], system.n_tangents(i) + 1) *=
-        relation.step(i);
+      allowed.segment(system.first[i], system.n_tangents(i) + 1).array() *=
+        relation.step(i).of(system.n_tangents(i) + 1).array();
     const VectorXd v = without_rounding(x.v.head(n), allowed);
     if (relation.stiffness())
       sum = 0;

@@ -69,6 +69,36 @@ namespace conetact::solvers
     }
   } // namespace
 
+  FrictionLimit
+  where_held(const std::function<FrictionLimit(double)> &limit_at,
+             const double                                slip,
+             const double                                reach)
+  {
+    constexpr double       gentle = .5, steepest = .8, near = 1e-10;
+    constexpr unsigned int most  = 40;
+    FrictionLimit          limit = limit_at(slip);
+    if (limit.by_slip == 0)
+      return limit;
+    const bool falls = limit.by_slip < 0;
+    double     held = slip, low = 0, high = reach;
+    for (unsigned int i = 0; i < most; ++i)
+      {
+        const double lacks = reach - held - limit.value;
+        // It goes on only where friction falls, and never back.
+        if (std::abs(lacks) <= near * reach || (falls && !(lacks > 0)))
+          break;
+        (lacks > 0 ? low : high) = held;
+        held += limit.by_slip > -gentle ? lacks / (1 + limit.by_slip) : lacks;
+        if (!falls && !(held > low && held < high))
+          held = .5 * (low + high);
+        limit = limit_at(held);
+      }
+    if (limit.by_slip < -steepest)
+      limit.by_slip = 0;
+    limit.value += limit.by_slip * (slip - held);
+    return limit;
+  }
+
   LinearizedLaw
   law_of(const NodeSet       &set,
          const FrictionLimit &limit,
@@ -164,10 +194,10 @@ namespace conetact::solvers
 
   /* T and C are the derivatives of see(): slips change by C_t dr_t, the gap by
      by_force dr_n and by by_slip along the slip as it is seen, so with shear,
-     too. A law times `step` is one of v' = step v. */
+     too. A law with `step` is one of v' = diag(step) v. */
   void
   see_through(const Layer       &layer,
-              const double       step,
+              const SmallVector &step,
               const SmallVector &seen,
               LinearizedLaw     &law)
   {
@@ -180,7 +210,24 @@ namespace conetact::solvers
         layer.by_slip / slip * seen.head(nt).transpose();
     C.bottomLeftCorner(1, nt) = layer.shear * T.bottomLeftCorner(1, nt);
     C(nt, nt)                 = layer.by_force;
-    law.B += step * law.A * C;
-    law.A = (step * law.A * T).eval();
+    law.A                     = (law.A * step.asDiagonal()).eval();
+    law.B += law.A * C;
+    law.A = (law.A * T).eval();
+  }
+
+  void
+  append_balance(const LinearRelation  &relation,
+                 const Eigen::VectorXd &d,
+                 std::vector<NodeLaw>  &laws)
+  {
+    eigen_assert(d.size() == relation.system().n_unknowns());
+    eigen_assert(laws.size() ==
+                 static_cast<std::size_t>(relation.system().n_nodes()));
+    const SmallMatrix one = SmallMatrix::Ones(1, 1);
+    for (Index j = 0; j < relation.system().n_motions; ++j)
+      laws.push_back(
+        {SmallMatrix::Zero(1, 1),
+         one,
+         -d.segment(relation.system().n_contact_unknowns() + j, 1)});
   }
 } // namespace conetact::solvers

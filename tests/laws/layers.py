@@ -278,7 +278,7 @@ def stiff(laws):
                             *(abs(row["wear"] - depth) / closing for row in rows))
             laws.check(f"{dim}D, E = {young:g}, implicit wear and shear of a layer", worst, 1e-4 if young < 1e10 else 1e-6)
             laws.demand("  no increment is cut", all(row["substeps"] == 1 for row in run.increments))
-            scene = press_and_shear(dim, mu=mu, increments=8, young=young, poisson=.3 if dim == 2 else 0.0)
+            scene = press_and_shear(dim, mu=mu, increments=8, young=young, poisson=.3)
             scene["Contact bottom"].update({"Compliance": "table(p; 0 : 3e-4; 50 : 2e-4)", "Cohesion": .5, "Tensile strength": .5})
             run = laws.run(scene)
             worst = max(abs(row["pressure"] / 50 - 1) for row in run.rows)

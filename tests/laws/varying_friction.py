@@ -140,7 +140,26 @@ def viscous(laws):
                    max(abs(row["du_t1"] / 2.5 - 1) for row in run.last()), 1e-7)
 
 
+def letting_go(laws):
+    """Friction that changes with speed faster than bodies resist: what slips jumps, in not many more steps than constant friction takes."""
+    def solves(mu):
+        scene = press_and_shear(2, cells=(12, 6), mu=mu)
+        scene["Support top"]["Displacement"] = "0.012*sin(pi*max(t - 1/32, 0)) ; -0.01*min(32*t, 1)"
+        scene["Time"] = {"End": 33 / 32, "Increments": 33}
+        run = laws.run(scene)
+        return run, sum(record["iterations"] for record in run.increments)
+
+    constant = solves(.3)[1]
+    for law, at, most in (("0.15 + 0.1*exp(-v/0.002)", lambda v: .15 + .1 * math.exp(-v / .002), 2.5),
+                          ("0.15 + 0.1*exp(-v/0.0002)", lambda v: .15 + .1 * math.exp(-v / .0002), 2.5),
+                          ("0.05 + 0.2*exp(-v/0.002)", lambda v: .05 + .2 * math.exp(-v / .002), 3)):
+        run, taken = solves(law)
+        laws.admissible(f"2D, mu = {law}", run, Mu(run, lambda row, s, p, v: at(v), duration=1 / 32))
+        laws.demand(f"  {taken} solves, where a constant coefficient takes {constant}", taken < most * constant)
+
+
 def varying_friction(laws):
+    letting_go(laws)
     viscous(laws)
     brake(laws)
     by_tables(laws)

@@ -59,6 +59,9 @@ namespace conetact::solvers
                     const ContactState   &start,
                     ContactState         &state,
                     SolverReport         &report);
+    /** From the states, by tangents at the present slips. */
+    SolverReport
+    solve_with_own_slopes(const ContactProblem &problem, ContactState &state);
     /** Of laws whose friction falls so fast that their slopes lead astray. */
     SolverReport
     solve_without_fall(const ContactProblem &problem, ContactState &state);

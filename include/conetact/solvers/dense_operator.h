@@ -28,6 +28,13 @@ namespace conetact::solvers
       numbers.set_load(problem);
     }
 
+    /** Whether friction that varies has its own slopes (linearized_laws()). */
+    void
+    take_own_slopes(const bool own)
+    {
+      has_own_slopes = own;
+    }
+
     const LinearRelation &
     relation() const override
     {
@@ -78,11 +85,14 @@ namespace conetact::solvers
      * the step that has led there. */
     NewtonPoint
     corrected(const NodeSets &sets, NewtonPoint point);
+    std::vector<NodeLaw>
+    laws_at(const NodeSets &sets, const NewtonPoint &point) const;
     bool
     is_balanced(const NewtonPoint &point) const;
 
     LinearRelation numbers;
     NewtonSystem   newton;
+    bool           has_own_slopes = false;
   };
 } // namespace conetact::solvers
 

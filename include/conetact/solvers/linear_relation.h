@@ -8,6 +8,22 @@
 
 namespace conetact::solvers
 {
+  /** What displacements of a node are multiplied by, as the law of contact sees
+   * them: 1 over the compliance of the node with its layer. */
+  struct Step
+  {
+    double along  = 1; ///< tangents
+    double normal = 1;
+
+    SmallVector
+    of(const Eigen::Index size) const
+    {
+      SmallVector s = SmallVector::Constant(size, along);
+      s(size - 1)   = normal;
+      return s;
+    }
+  };
+
   /**
    * Both forms of a ContactProblem as one linear relation without units,
    * @f[ d = M p + l, @f]
@@ -87,14 +103,15 @@ namespace conetact::solvers
     Array
     add_bonds(const Array &r, const Array &v) const;
     /** What the law sees of v, times step(i), so that it is no larger than what
-     * reactions change. */
+     * reactions change. Slips and gaps of limit(), aspect() and bond() are
+     * such. */
     void
     add_layers(const Array &r, Array &v) const;
-    /** 1 over the compliance of node i with its layer; 1 without one. */
-    double
+    /** Of node i; 1 without a layer. */
+    Step
     step(const Index i) const
     {
-      return has_layers() ? steps(i) : 1.;
+      return has_layers() ? steps[static_cast<std::size_t>(i)] : Step();
     }
     /** What gives way at node i, at a reaction and a slip in scaled variables.
      */
@@ -164,17 +181,17 @@ namespace conetact::solvers
   private:
     std::shared_ptr<const ContactSystem> contact_system;
     bool                                 has_units;
-    Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
-    double alpha = 1; ///< sqrt(force x length)
-    Array  scaled_load, scaled_offset;
-    Array  steps; ///< of each node, where there are layers
-    bool   has_offset = false;
+    Array             scale; ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
+    double            alpha = 1; ///< sqrt(force x length)
+    Array             scaled_load, scaled_offset;
+    std::vector<Step> steps; ///< of each node, where there are layers
+    bool              has_offset = false;
     double load_force = 0; ///< that is known before anything is solved
   };
 
   /** Whether node i has no friction, neither where nothing presses it nor
    * where all of the load does: what is pulled by a bond may have none, and
-   * coefficients may rise from 0 with pressure. */
+   * coefficients may rise from 0 with pressure or with speed. */
   bool
   is_frictionless(const LinearRelation &relation, const Eigen::Index i);
 } // namespace conetact::solvers

@@ -6,6 +6,8 @@
 
 #include "conetact/solvers/nodal_laws.h"
 
+#include <functional>
+
 namespace conetact::solvers
 {
   struct NodeSet;
@@ -17,6 +19,20 @@ namespace conetact::solvers
     SmallMatrix A, B;
     SmallVector h;
   };
+
+  /**
+   * The tangent of a limit of friction at the slip where a node that nothing
+   * else holds would come to rest, in scaled variables: held + limit(held) =
+   * reach. Where friction changes with the slip faster than bodies resist, the
+   * tangent at the present slip leads the wrong way, or next to nowhere.
+   * Neighbours give way, too, so that a node resists by less than its own
+   * stiffness, 1: a tangent that falls nearly as steeply counts as a friction
+   * that does not fall.
+   */
+  FrictionLimit
+  where_held(const std::function<FrictionLimit(double)> &limit_at,
+             const double                                slip,
+             const double                                reach);
 
   /** Of a node whose limit of friction is a circle; `along` is how its slip
    * grows with v_t. `definite` as in linearized_laws(). */
@@ -43,10 +59,11 @@ namespace conetact::solvers
   void
   see_bond(const Bond &bond, const SmallVector &v, LinearizedLaw &law);
 
-  /** A law of what is seen as one of v itself: dv' = step (T dv + C dr). */
+  /** A law of what is seen as one of v itself: dv' = diag(step) (T dv + C dr).
+   */
   void
   see_through(const Layer       &layer,
-              const double       step,
+              const SmallVector &step,
               const SmallVector &seen,
               LinearizedLaw     &law);
 } // namespace conetact::solvers

@@ -49,14 +49,16 @@ namespace conetact::solvers
   /**
    * Laws of all nodes, then of all motions. `definite`: what turns slips far
    * from the solution leaves linear systems positive definite, but for the
-   * coupling with normal forces, as iterations for them want it.
+   * coupling with normal forces, as iterations for them want it. Friction that
+   * varies with the slip has the slopes of where_held(), or its `own_slopes`.
    */
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation  &relation,
                   const NodeSets        &sets,
                   const Eigen::VectorXd &p,
                   const Eigen::VectorXd &d,
-                  const bool             definite = false);
+                  const bool             definite   = false,
+                  const bool             own_slopes = false);
 
   /** Norm of r - P(z) and of the imbalance, over the scale of forces. */
   double
