@@ -31,8 +31,14 @@ def difference(whole, parts):
                 worst = max(worst, 0.0 if first == second else float("inf"))
                 continue
             size = scale_of(column, a)
-            worst = max(worst, max(abs(x - y) for x, y in zip(first, second)) / size)
+            worst = max(worst, max(apart(x, y) for x, y in zip(first, second)) / size)
     return worst
+
+
+def apart(x, y):
+    """Gaps to nothing are no numbers, in both runs or in none."""
+    nothing = (x != x) + (y != y)
+    return abs(x - y) if nothing == 0 else 0.0 if nothing == 2 else float("inf")
 
 
 def read_table(folder, name):
@@ -50,7 +56,7 @@ def scale_of(column, rows):
               ("strain_energy", "external_work", "dissipation", "contact_work_normal"), ("_u_x", "_u_y", "_u_z"),
               ("_rot_x", "_rot_y", "_rot_z"))
     ends = next((group for group in groups if column.endswith(group)), (column,))
-    return max([abs(row[c]) for row in rows for c in row if c.endswith(ends) and not isinstance(row[c], str)] + [1e-300])
+    return max([abs(row[c]) for row in rows for c in row if c.endswith(ends) and not isinstance(row[c], str) and row[c] == row[c]] + [1e-300])
 
 
 def go_on(laws, scene, folder, *arguments):
