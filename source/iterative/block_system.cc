@@ -64,7 +64,7 @@ namespace conetact::iterative
   {
     AssertDimension(x.size(), n);
     Array y(n);
-    K.multiply(x.data(), y.data(), runs_of_K, far_runs_of_K);
+    K.multiply(x.data(), y.data(), runs_of_K);
     return y;
   }
 
@@ -121,7 +121,8 @@ namespace conetact::iterative
     scale = sum > 0 ? std::exp2(std::round(std::log2(sum / n_unknowns))) : 1.;
     A     = K.template cast<float>();
     A.for_all_numbers([&](float &a) { a = static_cast<float>(a / scale); });
-    find_runs();
+    runs_of_K = RowRuns<block, double>(K.own_part());
+    runs_of_A = RowRuns<block, float>(A.own_part());
   }
 
   /* The bound of eigenvalues of D A serves all states: to hold unknowns makes
@@ -142,7 +143,7 @@ namespace conetact::iterative
         surface->factorize(without_contact(), surface->no_blocks());
       }
     const auto product = [&](const FloatVector &x, FloatVector &y) {
-      A.multiply(x.data(), y.data(), runs_of_A, far_runs_of_A);
+      A.multiply(x.data(), y.data(), runs_of_A);
     };
     const auto blocks = [&](const FloatVector &x, FloatVector &y) {
       D.multiply(x, y);
@@ -409,7 +410,7 @@ namespace conetact::iterative
                                    FloatVector       &result) const
   {
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
-      A.multiply(x.data(), y.data(), runs_of_A, far_runs_of_A);
+      A.multiply(x.data(), y.data(), runs_of_A);
       for (const NodeRows &rows : system.rows)
         for (std::size_t k = 0; k < rows.stays.size(); ++k)
           for (std::size_t l = 0; l < rows.stays.size(); ++l)
@@ -464,7 +465,7 @@ namespace conetact::iterative
       precision.relative *
       (precision.forces > 0 ? std::min(start, precision.forces) : start);
     const auto multiplied = [&](const FloatVector &z, FloatVector &w) {
-      A.multiply(z.data(), w.data(), runs_of_A, far_runs_of_A);
+      A.multiply(z.data(), w.data(), runs_of_A);
       add_laws(system, scale, z, w);
     };
     const auto preconditioned = [&](const FloatVector &v, FloatVector &z) {

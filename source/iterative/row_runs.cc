@@ -15,8 +15,8 @@ namespace conetact::iterative
   namespace
   {
     /** Rows that are alike are as many at least: numbers of fewer rows are not
-     * worth a place in the cache. Levels have few nodes on each face. */
-    constexpr std::size_t least_rows = 8;
+     * worth a place in the cache. */
+    constexpr std::size_t least_rows = 256;
 
     /** A strip at least of the widest vectors that processors have. */
     template <typename Number>

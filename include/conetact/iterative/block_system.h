@@ -107,14 +107,6 @@ namespace conetact::iterative
     void
     find_scale();
     void
-    find_runs()
-    {
-      runs_of_K     = RowRuns<block, double>(K.own_part());
-      far_runs_of_K = RowRuns<block, double>(K.far_part());
-      runs_of_A     = RowRuns<block, float>(A.own_part());
-      far_runs_of_A = RowRuns<block, float>(A.far_part());
-    }
-    void
     make_smoother(const std::vector<int> &surface_nodes);
     void
     make_levels(const Eigen::MatrixXd  &modes,
@@ -163,9 +155,8 @@ namespace conetact::iterative
     DistributedMatrix<block, block, double> K;
     double                                  scale = 1; ///< a power of two
     DistributedMatrix<block, block, float>  A;         ///< K over it
-    /// of own and far parts
-    RowRuns<block, double>                  runs_of_K, far_runs_of_K;
-    RowRuns<block, float>                   runs_of_A, far_runs_of_A;
+    RowRuns<block, double>                  runs_of_K;
+    RowRuns<block, float>                   runs_of_A;
     mutable NodeBlocks<block>               D;       ///< of the states
     std::unique_ptr<SurfaceSmoother<block>> surface; ///< none: not needed
     float largest_of_blocks = 1;                     ///< eigenvalue of D A

@@ -16,18 +16,17 @@
 
 namespace conetact::iterative
 {
-  /** Adds to rows of a vector: y_rows[i] += (A x)_i, where product(x, y) is
-   * y = A x. */
-  template <int n_rows, typename Product, typename Number>
+  /** Adds to rows of a vector: y_rows[i] += (A x)_i. */
+  template <int n_rows, int n_columns, typename Number>
   void
-  add_rows(const Product          &product,
-           const std::vector<int> &rows,
-           const Number           *x,
-           std::vector<Number>    &buffer,
-           Number                 *y)
+  add_rows(const BlockMatrix<n_rows, n_columns, Number> &A,
+           const std::vector<int>                       &rows,
+           const Number                                 *x,
+           std::vector<Number>                          &buffer,
+           Number                                       *y)
   {
     buffer.resize(rows.size() * n_rows);
-    product(x, buffer.data());
+    A.multiply(x, buffer.data());
     const Number *from = buffer.data();
     for (const int i : rows)
       for (int r = 0; r < n_rows; ++r)
@@ -96,12 +95,6 @@ namespace conetact::iterative
     {
       return own;
     }
-    /** Of those own rows that see others, and columns of these. */
-    const Matrix &
-    far_part() const
-    {
-      return far;
-    }
 
     /** y = A x, of vectors of which each process has its part. */
     void
@@ -116,23 +109,11 @@ namespace conetact::iterative
     void
     multiply(const Number *x, Number *y, const Product &product_of_own) const
     {
-      multiply(x, y, product_of_own, [&](const Number *in, Number *out) {
-        far.multiply(in, out);
-      });
-    }
-    /** The same with another product of the far part, too. */
-    template <typename Product, typename FarProduct>
-    void
-    multiply(const Number     *x,
-             Number           *y,
-             const Product    &product_of_own,
-             const FarProduct &product_of_far) const
-    {
       if (halo.its_plan() == nullptr)
         return product_of_own(x, y);
       halo.start(x);
       product_of_own(x, y);
-      add_rows<n_rows>(product_of_far, edge, halo.finish(), buffer, y);
+      add_rows(far, edge, halo.finish(), buffer, y);
     }
 
     template <typename Other>

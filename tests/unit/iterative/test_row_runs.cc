@@ -85,6 +85,7 @@ namespace
     expect_same_product<block, Number>(6, 100, true, false);
     expect_same_product<block, Number>(18, 300, true, true);
     expect_same_product<block, Number>(50, 40, false, false);
+    expect_same_product<block, Number>(50, 5, true, false); // too few rows
   }
 } // namespace
 
