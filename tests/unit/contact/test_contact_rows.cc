@@ -247,12 +247,12 @@ TEST(ContactRows, StatesOfMastersAreThoseOfWhatTheyCarry)
       state.r.setConstant(1e-18);
       // the first node carries all, and slips
       for (Eigen::Index k = 0; k < 2; ++k)
-        state.r[model.points[0].first + k] = 1;
+        state.r[model.points.all()[0].first + k] = 1;
       for (std::size_t i = 0; i < model.points.size(); ++i)
         state.node[i] = i == 0 ? NodeState::slip :
                         i % 2  ? NodeState::stick :
                                  NodeState::open;
-      const double x0 = model.points[0].node->position[0];
+      const double x0 = model.points.all()[0].node->position[0];
       for (const ContactRow &row : translator.rows(state, q, {}, shared(u), 1))
         if (row.master)
           {

@@ -139,7 +139,13 @@ TEST(NodeSets, LawsAreDerivatives)
       const Eigen::VectorXd d    = form == Form::stiffness ? r : v;
       const NodeSets        sets = sets_of_point(relation, p, d);
       ASSERT_EQ(sets[0].state, NodeState::slip);
-      const NodeLaw law = linearized_laws(relation, sets, p, d).front();
+      const NodeLaw law = linearized_laws(relation,
+                                          sets,
+                                          p,
+                                          d,
+                                          /*definite=*/false,
+                                          /*own_slopes=*/true)
+                            .front();
       EXPECT_LT(law.h.norm(), 1e-14);
       constexpr double step = 1e-6;
       for (Eigen::Index k = 0; k < 3; ++k)
