@@ -5,6 +5,7 @@
 
 #include "conetact/base/child_process.h"
 #include "conetact/base/file_mesh.h"
+#include "conetact/base/nastran_cards.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
@@ -250,24 +251,45 @@ namespace conetact
       return folder;
     }
 
+    std::string
+    contents_of(const std::filesystem::path &file)
+    {
+      std::ostringstream read;
+      read << std::ifstream(file, std::ios::binary).rdbuf();
+      return read.str();
+    }
+
+    /** Another text in place of that of the file. */
+    void
+    open_text(const std::filesystem::path &file, const std::string &text)
+    {
+      const std::filesystem::path folder = temporary_folder();
+      const std::filesystem::path whole  = folder / file.filename();
+      std::ofstream(whole, std::ios::binary) << text;
+      try
+        {
+          gmsh::open(whole.string());
+        }
+      catch (...)
+        {
+          std::filesystem::remove_all(folder);
+          throw;
+        }
+      std::filesystem::remove_all(folder);
+    }
+
     /** Gmsh leaves out what the last line says where it has no end. */
     void
     open_script(const std::filesystem::path &file)
     {
-      std::ostringstream read;
-      read << std::ifstream(file, std::ios::binary).rdbuf();
-      const std::string text = read.str();
+      const std::string text = contents_of(file);
       if (text.empty() || text.back() == '\n')
         return gmsh::open(file.string());
       for (const char *other : {"Include", "Merge", "ShapeFromFile"})
         if (text.find(other) != std::string::npos)
           throw FileFault{"its last line has no end, and Gmsh leaves out what "
                           "it says. Add a line break behind it"};
-      const std::filesystem::path folder = temporary_folder();
-      const std::filesystem::path whole  = folder / file.filename();
-      std::ofstream(whole, std::ios::binary) << text << '\n';
-      gmsh::open(whole.string());
-      std::filesystem::remove_all(folder);
+      open_text(file, text + '\n');
     }
 
     /** A script may say so itself, by Error("..."), and goes on. */
@@ -361,10 +383,9 @@ namespace conetact
       const std::filesystem::path folder = temporary_folder();
       const std::filesystem::path file   = folder / "mesh.msh";
       gmsh::write(file.string());
-      std::ostringstream text;
-      text << std::ifstream(file, std::ios::binary).rdbuf();
+      std::string text = contents_of(file);
       std::filesystem::remove_all(folder);
-      return text.str();
+      return text;
     }
 
     std::string
@@ -379,6 +400,8 @@ namespace conetact
           open_script(file);
           refuse_errors_of_script();
         }
+      else if (extension == "bdf" || extension == "nas")
+        open_text(file, with_whole_cards(contents_of(file)));
       else
         gmsh::open(file.string());
       double size = 0;
