@@ -160,8 +160,9 @@ def draw_events(axes, result, curve, time_is_up):
 
 def draw(result, args):
     tables = Tables(result)
-    for column in (args.column, args.against):
-        tables.of(column)
+    of_increments = [tables.of(column)[0] not in ALONE for column in (args.column, args.against)]
+    if all(of_increments) and not len(tables.tables["increments"]):
+        raise ConetactError(f"{result.folder} has no increment that could be drawn: log.txt says why none was solved.")
     is_profile = args.against in ("x", "y", "z") and "reactions" in tables.of(args.column)
     curves, title = (profiles if is_profile else history)(tables, args)
     is_path = (result.folder / "events.csv").exists()

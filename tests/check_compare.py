@@ -165,7 +165,7 @@ def refused(compare):
     for words, sentence in ((("one", "nowhere"), "There is no folder nowhere."), (("file", "one"), "There is no folder file."),
                             (("one", "empty"), "The folder empty holds no table (.csv)."), (("one",), "there are fewer"),
                             (("one", "other", "third"), "there are more"), (("one", "other", "--dry-run"), "compare runs no scene"),
-                            (("one", "other", "--tolerance", "-1"), "-1 is negative"), (("one", "other", "--tolerance", "few"), "--tolerance")):
+                            (("one", "other", "--tolerance", "-1"), "-1 is negative"), (("one", "other", "--tolerance", "few"), "'few' is not a number")):
         done = compare.run("compare", *words)
         compare.demand(" ".join(words), done.returncode == 1 and sentence in done.stderr and done.stderr.count("\n") == 1, done.stderr)
     for content, sentence in (("", "is empty"), ("increment,r_n\n1,2", "ends within a line"), ("increment\n\0\n", "is no text"),

@@ -15,6 +15,8 @@ usage: check_python.py PROGRAM CASE
 import contextlib
 import io
 import os
+import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -156,6 +158,9 @@ def curves(laws):
                               ("node 999", block, "r_n", "--node", 999), ("'side'", block, "r_n", "--contact", "side"),
                               ("Did you mean 'tip_u_x'", block, "tip_ux"), ("no increments", path, "event", "u_t1")):
         demand_sentence(laws, script(laws, "curve.py", *arguments), words)
+    refused = laws.folder / "refused"
+    conetact.run(BLOCK, {MU: .3}, folder=refused, check=False)
+    demand_sentence(laws, script(laws, "curve.py", refused, "bottom_f_x"), "no increment that could be drawn")
     demand_process(laws, "curve.py", laws.folder)
 
 
@@ -170,6 +175,12 @@ def runs(laws):
     mesh = result.bodies(result.drawn_increments()[-1])["block"]
     laws.demand("bodies", mesh.points.shape == (231, 3) and np.isfinite(mesh.arrays["stress"]).all())
     folder = result.folder
+    named = shutil.copytree(folder, laws.folder / "named")
+    for drawing in named.glob("*-block-*.vtu"):
+        drawing.rename(named / drawing.name.replace("block", "m__"))
+    (named / "used.prm").write_text(re.sub(r"(?m)^(set Bodies *= *)block$", r"\1mü", (named / "used.prm").read_text(encoding="utf-8")),
+                                    encoding="utf-8")
+    laws.demand("bodies have their names in the scene", list(conetact.Result(named).bodies(1)) == ["mü"])
     del result
     laws.demand("a temporary folder goes with its result", not folder.exists())
 

@@ -231,7 +231,7 @@ class Result:
         return sorted({increment for _, increment, _ in self._drawings("solution") if increment > 0})
 
     def bodies(self, increment: int) -> dict[str, VtuMesh]:
-        """Meshes with displacements, stresses, contact by the names of bodies (letters that files cannot have are _).
+        """Meshes with displacements, stresses, contact by the names of bodies.
 
         >>> conetact.run(SCENE).bodies(1)["block"].arrays["displacement"].shape
         (231, 3)
@@ -251,9 +251,21 @@ class Result:
 
     def _drawings(self, kind: str) -> Iterator[tuple[str, int, Path]]:
         """Bodies, increments and files, not those of pieces, which PVTU files join."""
+        names = self._bodies_by_files()
         for file in sorted(self.folder.iterdir()):
             if match := re.fullmatch(kind + r"-(.+)-(\d{4,})\.p?vtu", file.name):
-                yield match[1], int(match[2]), file
+                yield names.get(match[1], match[1]), int(match[2]), file
+
+    def _bodies_by_files(self) -> dict[str, str]:
+        """Names of bodies by those in names of their files, which have _ in place of each byte of other letters."""
+        names: dict[str, str] = {}
+        for name in filter(None, map(str.strip, self.entries.get("Bodies", "").split(","))):
+            plain = safe = re.sub(rb"[^A-Za-z0-9._-]", b"_", name.encode()).decode()
+            number = 2
+            while safe in names:
+                safe, number = f"{plain}_{number}", number + 1
+            names[safe] = name
+        return names
 
     def _files_of(self, increment: int | None, kind: str) -> dict[str, Path]:
         found = list(self._drawings(kind))

@@ -7,6 +7,7 @@
 #include "conetact/base/joined_warnings.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/groups.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -212,15 +213,17 @@ namespace conetact::analysis
       return is_plane ? "plane with normal " + to_text(normal) : "not plane";
     }
 
-    /** Names of the groups that have the id. */
+    /** What to write for the id, and the groups that it is part of. */
     std::string
-    groups_of(const bodies::Structure &body, const unsigned int id)
+    id_and_groups(const bodies::Structure &body, const unsigned int id)
     {
+      const auto              &groups  = body.boundary_groups();
+      const std::string        written = bodies::name_of(id, groups);
       std::vector<std::string> names;
-      for (const auto &[name, ids] : body.boundary_groups())
-        if (ids.count(id) > 0)
+      for (const auto &[name, ids] : groups)
+        if (ids.count(id) > 0 && name != written)
           names.push_back(name);
-      return names.empty() ? "" : " (" + join(names) + ")";
+      return written + (names.empty() ? "" : " (" + join(names) + ")");
     }
 
     void
@@ -241,10 +244,9 @@ namespace conetact::analysis
         }
       const auto [low, high] =
         dealii::BoundingBox<3>(points).get_boundary_points();
-      log.note("Body " + name + ", boundary id " + std::to_string(id) +
-               groups_of(body, id) + ": area " + to_text(area) + ", " +
-               shape_of(surface.faces) + ", from " + to_text(low) + " to " +
-               to_text(high));
+      log.note("Body " + name + ", boundary id " + id_and_groups(body, id) +
+               ": area " + to_text(area) + ", " + shape_of(surface.faces) +
+               ", from " + to_text(low) + " to " + to_text(high));
     }
 
     void

@@ -7,6 +7,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/groups.h"
 
 #include <algorithm>
 #include <sstream>
@@ -221,22 +222,28 @@ namespace conetact::application
   namespace
   {
     WrittenContact
-    write_contact(const Entries                        &law,
-                  const pairing::NearSides             &sides,
-                  const std::vector<std::string>       &bodies,
-                  const std::vector<pairing::Obstacle> &obstacles)
+    write_contact(const Entries                                &law,
+                  const pairing::NearSides                     &sides,
+                  const std::vector<std::string>               &names,
+                  const std::vector<const bodies::Structure *> &structures,
+                  const std::vector<pairing::Obstacle>         &obstacles)
     {
       const std::string &other =
-        sides.obstacle ? obstacles[*sides.obstacle].name : bodies[sides.master];
-      WrittenContact contact{bodies[sides.body] + ' ' + other,
+        sides.obstacle ? obstacles[*sides.obstacle].name : names[sides.master];
+      WrittenContact contact{names[sides.body] + ' ' + other,
                              std::make_unique<Handler>()};
       Handler       &entries = *contact.entries;
       pairing::declare_contact(entries);
-      entries.set("Body", bodies[sides.body]);
-      entries.set("Boundary ids", join(sides.ids));
+      entries.set("Body", names[sides.body]);
+      entries.set("Boundary ids",
+                  bodies::join_names(
+                    sides.ids, structures[sides.body]->boundary_groups()));
       entries.set(sides.obstacle ? "Obstacle" : "Master body", other);
       if (!sides.obstacle)
-        entries.set("Master boundary ids", join(sides.master_ids));
+        entries.set(
+          "Master boundary ids",
+          bodies::join_names(sides.master_ids,
+                             structures[sides.master]->boundary_groups()));
       for (const auto &[entry, value] : law)
         if (entry != largest_gap && entry != exceptions &&
             !(sides.obstacle && is_of_masters(entry, value)))
@@ -248,17 +255,19 @@ namespace conetact::application
 
 
   std::vector<WrittenContact>
-  write_contacts(const Handler                        &prm,
-                 const pairing::NearPairs             &pairs,
-                 const std::vector<std::string>       &bodies,
-                 const std::vector<pairing::Obstacle> &obstacles)
+  write_contacts(const Handler                                &prm,
+                 const pairing::NearPairs                     &pairs,
+                 const std::vector<std::string>               &names,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<pairing::Obstacle>         &obstacles)
   {
     Entries law = defaults(declare_own_entries);
     for (auto &[entry, value] : law)
       value = value_in(prm, entry);
     std::vector<WrittenContact> contacts;
     for (const pairing::NearSides &sides : pairs.sides)
-      contacts.push_back(write_contact(law, sides, bodies, obstacles));
+      contacts.push_back(
+        write_contact(law, sides, names, structures, obstacles));
     return contacts;
   }
 

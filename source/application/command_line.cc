@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 namespace conetact::application
@@ -141,11 +142,14 @@ lets the increment that is running end, and a second one ends all at once: 130.
     double
     tolerance_of(const std::string &text)
     {
-      const double tolerance = to_number(text, "Option --tolerance");
-      if (tolerance < 0)
+      const std::optional<double> tolerance = fortran_number(text);
+      if (!tolerance || !std::isfinite(*tolerance))
+        throw InputError("Option --tolerance: '" + text +
+                         "' is not a number. Give 0 or more, as 1e-9.");
+      if (*tolerance < 0)
         throw InputError("Option --tolerance: " + text +
                          " is negative. Give 0 or more, as 1e-9.");
-      return tolerance;
+      return *tolerance;
     }
 
     std::string

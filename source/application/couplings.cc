@@ -7,6 +7,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
+#include "conetact/bodies/groups.h"
 #include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
@@ -142,14 +143,16 @@ namespace conetact::application
     }
 
     std::unique_ptr<Handler>
-    write_tie(const bodies::Load &load,
-              const std::string  &name,
-              const std::string  &body)
+    write_tie(const bodies::Load      &load,
+              const std::string       &name,
+              const std::string       &body,
+              const bodies::Structure &structure)
     {
       auto entries = std::make_unique<Handler>();
       pairing::declare_contact(*entries);
       entries->set("Body", body);
-      entries->set("Boundary ids", join(load.ids));
+      entries->set("Boundary ids",
+                   bodies::join_names(load.ids, structure.boundary_groups()));
       entries->set("Obstacle", name);
       entries->set("Kind", "tie");
       return entries;
@@ -188,7 +191,7 @@ namespace conetact::application
           {name,
            {i},
            write_obstacle(load, dim, structures[load.body]->is_axisymmetric()),
-           write_tie(load, name, bodies[load.body])});
+           write_tie(load, name, bodies[load.body], *structures[load.body])});
       }
     return couplings;
   }

@@ -287,8 +287,11 @@ namespace conetact::application
                                    bodies.structures,
                                    obstacles,
                                    named_sides(entries.prm, contact_names));
-    for (const WrittenContact &contact :
-         write_contacts(entries.prm, *near_sides, bodies.names, obstacles))
+    for (const WrittenContact &contact : write_contacts(entries.prm,
+                                                        *near_sides,
+                                                        bodies.names,
+                                                        bodies.structures,
+                                                        obstacles))
       {
         if (std::find(contact_names.begin(),
                       contact_names.end(),

@@ -138,7 +138,9 @@ namespace conetact
     if (is_new)
       {
         unsigned int n = number_in(name);
-        for (n = n > 0 ? n : 1; mesh.names.count({dim, n}) > 0;)
+        if (n == 0 || mesh.names.count({dim, n}) > 0)
+          n = own_numbers;
+        while (mesh.names.count({dim, n}) > 0)
           ++n;
         found->second        = n;
         mesh.names[{dim, n}] = name;

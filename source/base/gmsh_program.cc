@@ -5,6 +5,7 @@
 
 #include "conetact/base/child_process.h"
 #include "conetact/base/file_mesh.h"
+#include "conetact/base/nastran_cards.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
@@ -251,6 +252,14 @@ namespace conetact
       return folder;
     }
 
+    std::string
+    contents_of(const std::filesystem::path &file)
+    {
+      std::ostringstream read;
+      read << std::ifstream(file, std::ios::binary).rdbuf();
+      return read.str();
+    }
+
     /** With the first `old` replaced. */
     std::string
     replaced(std::string text, const std::string &old, const std::string &other)
@@ -272,8 +281,8 @@ namespace conetact
           throw FileFault{"Gmsh says: " + one_line(line.substr(mark.size()))};
     }
 
-    /** A script in a folder of its own, whose mistakes are told with the name
-     * of the file. */
+    /** Another text in place of that of a file, in a folder of its own, whose
+     * mistakes are told with the name of the file. */
     void
     open_copy(const std::string &text, const std::filesystem::path &file)
     {
@@ -304,9 +313,7 @@ namespace conetact
     void
     open_script(const std::filesystem::path &file)
     {
-      std::ostringstream read;
-      read << std::ifstream(file, std::ios::binary).rdbuf();
-      const std::string text     = read.str();
+      const std::string text     = contents_of(file);
       const bool        has_end  = text.empty() || text.back() == '\n';
       bool              is_alone = true;
       for (const char *other : {"Include", "Merge", "ShapeFromFile"})
@@ -400,10 +407,9 @@ namespace conetact
       const std::filesystem::path folder = temporary_folder();
       const std::filesystem::path file   = folder / "mesh.msh";
       gmsh::write(file.string());
-      std::ostringstream text;
-      text << std::ifstream(file, std::ios::binary).rdbuf();
+      std::string text = contents_of(file);
       std::filesystem::remove_all(folder);
-      return text.str();
+      return text;
     }
 
     std::string
@@ -415,6 +421,8 @@ namespace conetact
       start(wishes);
       if (extension == "geo")
         open_script(file);
+      else if (extension == "bdf" || extension == "nas")
+        open_copy(with_whole_cards(contents_of(file)), file);
       else
         gmsh::open(file.string());
       double size = 0;

@@ -50,7 +50,8 @@ namespace conetact::bodies
     for (const unsigned int id : ids)
       if (known.count(id) == 0)
         throw InputError(entry + ": body '" + body + "' has no boundary id " +
-                         std::to_string(id) + ". It has: " + join(known) +
+                         std::to_string(id) +
+                         ". It has: " + join_names(known, groups) +
                          "; more are given by Boundary ids of its Mesh or "
                          "Frame.");
     return ids;

@@ -4,6 +4,7 @@
 #include "conetact/bodies/groups.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/file_mesh.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
@@ -59,7 +60,13 @@ namespace conetact::bodies
     std::string numbers;
     for (const std::string &word : split(text, ','))
       if (const auto found = groups.find(unquoted(word)); found != groups.end())
-        ids.insert(found->second.begin(), found->second.end());
+        {
+          if (found->second.empty())
+            throw InputError(entry + ": no face is in '" + unquoted(word) +
+                             "' any more: Boundary ids of Mesh gives other "
+                             "numbers to all of them. Write these.");
+          ids.insert(found->second.begin(), found->second.end());
+        }
       else if (begins_like_a_name(word))
         throw InputError(entry + ": '" + unquoted(word) + "' is not " + what +
                          ". " + advice(unquoted(word), groups));
@@ -68,5 +75,26 @@ namespace conetact::bodies
     if (!numbers.empty() || ids.empty())
       ids.merge(conetact::to_ids(numbers, entry));
     return ids;
+  }
+
+  std::string
+  name_of(const unsigned int id, const MeshGroups::Ids &groups)
+  {
+    std::string shortest;
+    if (id >= own_numbers)
+      for (const auto &[name, ids] : groups)
+        if (ids == BoundaryIds{id} &&
+            (shortest.empty() || name.size() < shortest.size()))
+          shortest = name;
+    return shortest.empty() ? std::to_string(id) : shortest;
+  }
+
+  std::string
+  join_names(const BoundaryIds &ids, const MeshGroups::Ids &groups)
+  {
+    std::vector<std::string> names;
+    for (const unsigned int id : ids)
+      names.push_back(name_of(id, groups));
+    return join(names);
   }
 } // namespace conetact::bodies

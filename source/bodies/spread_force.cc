@@ -132,6 +132,32 @@ namespace conetact::bodies
            dealii::cross_product_3d(inertia * moment, x - centre);
   }
 
+  /* On a plane all pressures have one direction. */
+  void
+  SpreadForce::refuse_across_plane(
+    const Tensor<1, 3>                                &force,
+    const std::function<double(const Tensor<1, 3> &)> &pressed) const
+  {
+    constexpr double plane = 1e-6, across = 1e-2; // of one and of the force
+    const double     all =
+      integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &normal) {
+        return pressed(normal);
+      });
+    Tensor<1, 3> mean;
+    for (unsigned int c = 0; c < 3; ++c)
+      mean[c] =
+        integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &normal) {
+          return pressed(normal) * normal[c] / all;
+        });
+    const Tensor<1, 3> beside = force - (force * mean) * mean;
+    if (mean.norm() > 1 - plane && beside.norm() > across * force.norm())
+      throw InputError(where + "Value: the faces that " + to_text(force) +
+                       " presses are plane with normal " + to_text(mean) +
+                       ", and pressures on them carry nothing across it. Give "
+                       "a force along the normal, and what acts across as a "
+                       "Load of Kind = force.");
+  }
+
   SurfaceField
   SpreadForce::bearing(const Tensor<1, 3> &force) const
   {
@@ -156,6 +182,7 @@ namespace conetact::bodies
                        to_text(force) +
                        ". A bearing force presses faces whose outward normals "
                        "are against it.");
+    refuse_across_plane(force, pressed);
     const double k    = force.norm() / squares;
     Tensor<1, 3> rest = force;
     for (unsigned int c = 0; c < 3; ++c)

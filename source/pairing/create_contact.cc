@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/bodies/groups.h"
 #include "conetact/pairing/contact_entries.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/node_to_face.h"
@@ -99,11 +100,11 @@ namespace conetact::pairing
         for (const unsigned int id : contact.master_ids)
           // A face against itself would be 0 = 0.
           if (contact.ids.count(id) > 0)
-            throw InputError(in +
-                             "Master boundary ids: the faces with the id " +
-                             std::to_string(id) +
-                             " are on both sides of the contact. Give each "
-                             "side its own boundary ids.");
+            throw InputError(
+              in + "Master boundary ids: the faces with the id " +
+              bodies::name_of(id, structures[contact.body]->boundary_groups()) +
+              " are on both sides of the contact. Give each "
+              "side its own boundary ids.");
     }
 
     /** Refuses entries of a master body where there is an obstacle. */

@@ -36,10 +36,21 @@ namespace conetact::pairing
             }
           for_each_edge(corners.size(),
                         [&](const std::size_t i, const std::size_t j) {
-                          neighbours[corners[i]].nodes.insert(corners[j]);
-                          neighbours[corners[j]].nodes.insert(corners[i]);
+                          add_edge(corners[i], corners[j]);
+                          add_edge(corners[j], corners[i]);
                         });
         }
+  }
+
+  /* What comes a second time is an edge of two faces. */
+  void
+  PressurePattern::add_edge(const unsigned int one, const unsigned int other)
+  {
+    Around &around = neighbours[one];
+    if (around.nodes.insert(other).second)
+      around.rim.insert(other);
+    else
+      around.rim.erase(other);
   }
 
   /* Nodes in the middle have as many faces as edges around them, those at the
@@ -61,7 +72,11 @@ namespace conetact::pairing
     // of a face in space have no lines of nodes: more may be by chance there.
     const double     deep     = plane ? .6 : .4;
     constexpr double opposite = -.7; // cosine
-    const auto      &around   = neighbours.at(node).nodes;
+    // Inner edges of a ring are concave: nodes on both sides of one may well
+    // press where the edge stands over a bore.
+    const Around &own_edges = neighbours.at(node);
+    const bool    is_at_rim = !plane && !is_inside(own_edges);
+    const auto   &around    = is_at_rim ? own_edges.rim : own_edges.nodes;
     for (const unsigned int one : around)
       for (const unsigned int other : around)
         if (one < other &&

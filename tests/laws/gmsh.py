@@ -82,8 +82,21 @@ def heat(laws):
                max(abs(row["r_n"] / row["area"] / stress - 1) for row in run.rows), 1e-12)
 
 
+def numbers(laws):
+    """A number that conditions give to faces means these alone, whatever numbers faces in several groups have."""
+    file = laws.folder / "numbers.msh"
+    file.write_bytes(gmsh_file(*tower(2, 2, (1.0, .5), ("rubber", "steel"))))
+    for number in (26, 24, 99):  # the next one of the file, one of it, another one
+        scene = merge(column(2, file.name, **{"Young modulus": SOFT}),
+                      {"Body column": {"Mesh": {"Boundary ids": f"{number}: x > 0.999"}}, "Contact bottom": {"Friction coefficient": 0},
+                       "Load side": load("pressure", repr(PRESSURE), number, "column")})
+        carried = laws.run(scene).increments[-1]["support_left_f_x"]
+        exact = 1.5 * PRESSURE if number != 24 else 0  # which is both sides
+        laws.check(f"pressed on {number}: what the other side carries", abs(abs(carried) - exact), 1e-10)
+
+
 def gmsh(laws):
-    for law in (formats, bodies_of_a_file, heat, islands):
+    for law in (formats, bodies_of_a_file, heat, islands, numbers):
         law(laws)
 
 

@@ -62,10 +62,11 @@ namespace conetact::application
 
   /** Writes down what was found, with the law of the section. */
   std::vector<WrittenContact>
-  write_contacts(const dealii::ParameterHandler       &prm,
-                 const pairing::NearPairs             &pairs,
-                 const std::vector<std::string>       &bodies,
-                 const std::vector<pairing::Obstacle> &obstacles);
+  write_contacts(const dealii::ParameterHandler               &prm,
+                 const pairing::NearPairs                     &pairs,
+                 const std::vector<std::string>               &names,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<pairing::Obstacle>         &obstacles);
 } // namespace conetact::application
 
 #endif

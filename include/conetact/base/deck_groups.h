@@ -9,7 +9,8 @@
 namespace conetact
 {
   /** Gives elements of a mesh the groups of a deck or a universal file, which
-   * have names; names that are numbers keep these. */
+   * have names; names that are numbers keep these, others have numbers from
+   * own_numbers on. */
   class DeckGroups
   {
   public:

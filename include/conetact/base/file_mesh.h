@@ -15,6 +15,13 @@
 namespace conetact
 {
   /**
+   * Numbers of groups from here on are given by the program: to groups that
+   * have names only, and to what is in several groups. They have more digits
+   * than a user can write, so that no number of a scene means them.
+   */
+  constexpr unsigned int own_numbers = 1000000000;
+
+  /**
    * What a mesh file holds, whatever its format: points, elements with the
    * groups that they belong to, and the names of these groups. Each reader
    * fills one, and `bodies/continuum/file_cells.h` makes cells of it.

@@ -15,7 +15,9 @@ namespace conetact::bodies
   /**
    * Groups of faces and of cells that a mesh file names, as boundary and
    * material ids: several where groups overlap. The number of a group is a
-   * name of it as well, unless it is just the id.
+   * name of it as well, unless it is just the id. Ids that the program gives
+   * (see own_numbers) have a name each: "TOP", "tip & ends" of what is in two
+   * groups, "TOP only" of what is in no other.
    */
   struct MeshGroups
   {
@@ -39,6 +41,14 @@ namespace conetact::bodies
          const MeshGroups::Ids &groups,
          const std::string     &what,
          const std::string     &entry);
+
+  /** What a user writes for an id: its number, or a name where this number is
+   * the program's own. */
+  std::string
+  name_of(const unsigned int id, const MeshGroups::Ids &groups);
+  /** Of all of them: "0, 2, tip & ends". */
+  std::string
+  join_names(const BoundaryIds &ids, const MeshGroups::Ids &groups);
 } // namespace conetact::bodies
 
 #endif

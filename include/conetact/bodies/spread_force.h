@@ -52,7 +52,8 @@ namespace conetact::bodies
      * cosine c with it, as a pin presses on its half of a bore; what that
      * lacks, where the faces are no half of a circle, is spread evenly. It goes
      * through the axis of the bore. Throws InputError where no face looks that
-     * way.
+     * way, and where those that do are plane and the force is not along their
+     * normal.
      */
     SurfaceField
     bearing(const Tensor<1, 3> &force) const;
@@ -64,6 +65,10 @@ namespace conetact::bodies
     }
 
   private:
+    void
+    refuse_across_plane(
+      const Tensor<1, 3>                                &force,
+      const std::function<double(const Tensor<1, 3> &)> &pressed) const;
     /** The moment of a field about the axis of a bore; 0 where faces are none.
      */
     Tensor<1, 3>

@@ -26,7 +26,7 @@ namespace conetact::pairing
 
     /**
      * Nodes in pits: pressed clearly less than the two nodes before and behind
-     * them on a line.
+     * them on a line, which for nodes at the rim runs along it.
      */
     unsigned int
     n_pits(const Pressures &pressures) const;
@@ -53,9 +53,12 @@ namespace conetact::pairing
     struct Around
     {
       std::set<unsigned int> nodes;
+      std::set<unsigned int> rim; ///< of nodes, over an edge of one face only
       unsigned int           n_faces = 0;
       Tensor<1, 3>           sum; ///< of the faces' unit normals
     };
+    void
+    add_edge(const unsigned int one, const unsigned int other);
     bool
     is_pit(const unsigned int node,
            const double       own,

@@ -29,9 +29,19 @@ namespace conetact::bodies
     using Groups       = std::set<unsigned int>;
     using FileElements = std::vector<const FileMesh::Element *>;
 
+    /** Its name, or its number if it has none. */
+    std::string
+    name_of_group(const FileMesh    &mesh,
+                  const unsigned int dim,
+                  const unsigned int group)
+    {
+      const auto name = mesh.names.find({dim, group});
+      return name != mesh.names.end() ? name->second : std::to_string(group);
+    }
+
     /**
      * An id for each combination of groups: the number of a group that is
-     * alone, a new one where several overlap, 0 for none.
+     * alone, one of the program's own where several overlap, 0 for none.
      */
     class GroupIds
     {
@@ -56,7 +66,8 @@ namespace conetact::bodies
         return known->second;
       }
 
-      /** Of all that was asked for. */
+      /** Of all that was asked for, and of groups themselves: conditions may
+       * give their numbers to further faces. */
       MeshGroups::Ids
       names(const std::set<Groups> &seen)
       {
@@ -64,22 +75,42 @@ namespace conetact::bodies
         std::map<unsigned int, BoundaryIds> numbers;
         for (const Groups &groups : seen)
           for (const unsigned int group : groups)
-            {
-              const unsigned int id = (*this)(groups);
-              if (const auto name = mesh.names.find({dim, group});
-                  name != mesh.names.end())
-                result[name->second].insert(id);
-              numbers[group].insert(id);
-            }
+            numbers[group].merge(BoundaryIds{group, (*this)(groups)});
         for (const auto &[group, ids] : numbers)
-          if (ids != BoundaryIds{group})
-            result[std::to_string(group)] = ids;
+          {
+            if (const auto name = mesh.names.find({dim, group});
+                name != mesh.names.end())
+              result[name->second].insert(ids.begin(), ids.end());
+            if (group < own_numbers && ids.size() > 1)
+              result[std::to_string(group)] = ids;
+          }
+        for (const Groups &groups : seen)
+          name_own((*this)(groups), groups, result);
         return result;
       }
 
     private:
+      /** The name of faces that are in these groups and in no other. */
+      void
+      name_own(const unsigned int id,
+               const Groups      &groups,
+               MeshGroups::Ids   &names) const
+      {
+        if (id < own_numbers)
+          return;
+        std::vector<std::string> parts;
+        for (const unsigned int group : groups)
+          parts.push_back(name_of_group(mesh, dim, group));
+        std::string name = join(parts, " & ");
+        std::replace(name.begin(), name.end(), ',', ' ');
+        std::replace(name.begin(), name.end(), '#', ' ');
+        if (names.count(name) > 0 && names[name] != BoundaryIds{id})
+          name += " only";
+        names[name] = {id};
+      }
+
       const FileMesh                &mesh;
-      unsigned int                   dim, next = 1;
+      unsigned int                   dim, next = own_numbers;
       std::map<Groups, unsigned int> overlaps;
     };
 
@@ -94,11 +125,7 @@ namespace conetact::bodies
           all.insert(element.groups.begin(), element.groups.end());
       std::vector<std::string> names;
       for (const unsigned int group : all)
-        {
-          const auto name = mesh.names.find({dim, group});
-          names.push_back(name != mesh.names.end() ? name->second :
-                                                     std::to_string(group));
-        }
+        names.push_back(name_of_group(mesh, dim, group));
       return names.size() < 2 ? "" : join(names);
     }
 
@@ -145,12 +172,12 @@ namespace conetact::bodies
         if (seen.count(group) == 0)
           {
             const std::string names = groups_of_cells(mesh, dim);
-            throw InputError(parameters.where + "Group: no cell of '" +
-                             parameters.file.string() + "' is in the group " +
-                             std::to_string(group) + ". Name a physical " +
-                             (dim == 2 ? "surface" : "volume") +
-                             " of the file" +
-                             (names.empty() ? "." : ": " + names + "."));
+            throw InputError(
+              parameters.where + "Group: no cell of '" +
+              parameters.file.string() + "' is in the group " +
+              name_of_group(mesh, dim, group) + ". Name a physical " +
+              (dim == 2 ? "surface" : "volume") + " of the file" +
+              (names.empty() ? "." : ": " + names + "."));
           }
       return cells;
     }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace conetact::bodies
 {
@@ -164,6 +165,33 @@ namespace conetact::bodies
         }
     }
 
+    /** Groups by the ids that faces have when they are tagged: of all that a
+     * file has, conditions leave some without a face. */
+    template <int dim>
+    MeshGroups::Ids
+    kept_groups(const Triangulation<dim> &mesh,
+                const MeshParameters     &parameters,
+                const MeshGroups::Ids    &groups)
+    {
+      BoundaryIds known;
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          known.insert(parameters.boundary_id(face->boundary_id(),
+                                              parameters.to_scene(
+                                                to_space(face->center()))));
+      MeshGroups::Ids kept;
+      for (const auto &[name, ids] : groups)
+        {
+          BoundaryIds &of_name = kept[name];
+          std::set_intersection(ids.begin(),
+                                ids.end(),
+                                known.begin(),
+                                known.end(),
+                                std::inserter(of_name, of_name.end()));
+        }
+      return kept;
+    }
+
     /** deal.II has no nodes that hang between triangles or tetrahedra. */
     template <int dim>
     void
@@ -203,15 +231,17 @@ namespace conetact::bodies
             CellNodes<dim> &nodes)
   {
     auto mesh = generate_or_read<dim>(parameters, groups, nodes);
+    const MeshGroups::Ids kept = kept_groups(*mesh, parameters, groups.faces);
     for (MeshParameters::Zone &zone : parameters.zones)
       zone.ids = to_ids(zone.text,
-                        groups.faces,
+                        kept,
                         "a boundary id",
                         parameters.where + "Refinement distance");
     refine_globally(*mesh, parameters);
     refuse_local_refinement(*mesh, parameters);
-    refine_locally(*mesh, parameters);
+    refine_locally(*mesh, parameters, kept);
     tag(*mesh, parameters);
+    groups.faces = kept_groups(*mesh, parameters, groups.faces);
     refine_elements(*mesh, parameters.refinements);
     if (!nodes.coarse.empty())
       bend_refined_cells(nodes, *mesh);

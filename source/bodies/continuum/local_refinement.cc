@@ -164,7 +164,8 @@ namespace conetact::bodies
     std::vector<BoundingBox<dim>>
     boxes_of_faces(const Triangulation<dim>     &mesh,
                    const std::set<unsigned int> &ids,
-                   const MeshParameters         &parameters)
+                   const MeshParameters         &parameters,
+                   const MeshGroups::Ids        &groups)
     {
       std::vector<BoundingBox<dim>> boxes;
       std::set<unsigned int>        known;
@@ -182,8 +183,8 @@ namespace conetact::bodies
       for (const unsigned int id : ids)
         if (known.count(id) == 0)
           throw InputError(parameters.where + "Refinement distance: no face " +
-                           "of the mesh has id " + std::to_string(id) +
-                           ". It has: " + join(known) +
+                           "of the mesh has id " + name_of(id, groups) +
+                           ". It has: " + join_names(known, groups) +
                            "; more are tagged by Mesh/Boundary ids.");
       return boxes;
     }
@@ -192,10 +193,11 @@ namespace conetact::bodies
     void
     refine_zone(Triangulation<dim>         &mesh,
                 const MeshParameters::Zone &zone,
-                const MeshParameters       &parameters)
+                const MeshParameters       &parameters,
+                const MeshGroups::Ids      &groups)
     {
       namespace index  = boost::geometry::index;
-      const auto boxes = boxes_of_faces(mesh, zone.ids, parameters);
+      const auto boxes = boxes_of_faces(mesh, zone.ids, parameters, groups);
       const auto tree  = dealii::pack_rtree(boxes);
       // cells at the distance itself stay as they are, whatever rounding does
       const double distance =
@@ -230,11 +232,13 @@ namespace conetact::bodies
 
   template <int dim>
   void
-  refine_locally(Triangulation<dim> &mesh, const MeshParameters &parameters)
+  refine_locally(Triangulation<dim>    &mesh,
+                 const MeshParameters  &parameters,
+                 const MeshGroups::Ids &groups)
   {
     refine_boxes(mesh, parameters);
     for (const MeshParameters::Zone &zone : parameters.zones)
-      refine_zone(mesh, zone, parameters);
+      refine_zone(mesh, zone, parameters, groups);
   }
 
   template <int dim>
@@ -251,9 +255,13 @@ namespace conetact::bodies
   }
 
   template void
-  refine_locally<2>(Triangulation<2> &, const MeshParameters &);
+  refine_locally<2>(Triangulation<2> &,
+                    const MeshParameters &,
+                    const MeshGroups::Ids &);
   template void
-  refine_locally<3>(Triangulation<3> &, const MeshParameters &);
+  refine_locally<3>(Triangulation<3> &,
+                    const MeshParameters &,
+                    const MeshGroups::Ids &);
   template void
   refine_elements<2>(Triangulation<2> &, const Refinements &);
   template void

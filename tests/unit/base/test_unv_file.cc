@@ -77,7 +77,7 @@ namespace conetact::test
       {
         const FileMesh mesh = read_unv(file_of(kind, places));
         ASSERT_EQ(mesh.elements.size(), 1u);
-        EXPECT_EQ(mesh.names.at({3, 1}), "body of it");
+        EXPECT_EQ(mesh.names.at({3, own_numbers}), "body of it");
         const FileMesh::Element &cell = mesh.elements[0];
         const MiddleNodes        middles(mesh, {&cell});
         for (const auto &edge : topology_of(3, cell.nodes.size()).edges)

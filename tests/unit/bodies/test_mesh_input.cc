@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/base/file_mesh.h"
 #include "conetact/contact/pieces.h"
 
 #include <gtest/gtest.h>
@@ -136,11 +137,21 @@ TEST(MeshInput, GroupsOfAFileHaveNames)
 
   const auto whole  = make_body(2, "File = " + file, both);
   const auto groups = whole->boundary_groups();
-  EXPECT_EQ(groups.count("between"), 0);            // no boundary of it
-  EXPECT_EQ(groups.at("floor"), (BoundaryIds{10})); // a new id
-  EXPECT_EQ(groups.at("outside"), (BoundaryIds{9, 10}));
-  EXPECT_EQ(groups.at("7"), (BoundaryIds{10}));
-  EXPECT_EQ(whole->boundary_ids(), (BoundaryIds{0, 9, 10}));
+  EXPECT_EQ(groups.count("between"), 0); // no boundary of it
+  EXPECT_EQ(groups.at("floor"), (BoundaryIds{own_numbers})); // a new id
+  EXPECT_EQ(groups.at("outside"), (BoundaryIds{9, own_numbers}));
+  EXPECT_EQ(groups.at("7"), (BoundaryIds{own_numbers}));
+  EXPECT_EQ(groups.at("floor & outside"), (BoundaryIds{own_numbers}));
+  EXPECT_EQ(whole->boundary_ids(), (BoundaryIds{0, 9, own_numbers}));
+  // conditions: a number of a group is part of it, others are new
+  const auto tagged =
+    make_body(2, "File = " + file + "|Boundary ids = 9: x > 1.99 ; 10: y > .9");
+  EXPECT_EQ(tagged->boundary_groups().at("outside"),
+            (BoundaryIds{9, own_numbers}));
+  EXPECT_EQ(tagged->surface({10}).faces.size(), 2);
+  const auto moved =
+    make_body(2, "File = " + file + "|Boundary ids = 7: y < .1");
+  EXPECT_EQ(moved->boundary_groups().at("floor"), (BoundaryIds{7}));
   // shear of a square: energy G / 2
   const Eigen::VectorXd u = interpolate(*whole, [](const Point<3> &p) {
     return Tensor<1, 3>({p[1], 0., 0.});

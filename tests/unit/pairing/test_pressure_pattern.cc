@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "faces_only.h"
 
 using namespace conetact;
@@ -66,6 +68,34 @@ TEST(PressurePattern, PitsOfFacetsRunAlongACylinder)
   for (unsigned int i = 0; i < 25; ++i)
     pressures[i] = i % 5 % 2 == 0 ? 3. : 1.;
   EXPECT_EQ(PressurePattern(square(4), {0}).n_pits(pressures), 10u);
+}
+
+
+
+TEST(PressurePattern, NoPitsAreAtTheEdgeOfABore)
+{
+  // a hexagon round a triangular hole, whose corners do not press: what lies on
+  // both sides of one does
+  std::vector<Point<3>>        points;
+  std::vector<FacesOnly::Face> faces;
+  const double                 pi = std::acos(-1.);
+  for (unsigned int i = 0; i < 3; ++i)
+    points.emplace_back(std::cos(2 * pi * i / 3), std::sin(2 * pi * i / 3), 0);
+  for (unsigned int i = 0; i < 6; ++i)
+    points.emplace_back(2 * std::cos(pi * i / 3), 2 * std::sin(pi * i / 3), 0);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      const unsigned int at = 3 + 2 * i, next = at + 1,
+                         before = 3 + (2 * i + 5) % 6;
+      faces.push_back({{i, before, at}, 0});
+      faces.push_back({{i, at, next}, 0});
+      faces.push_back({{i, next, (i + 1) % 3}, 0});
+    }
+  PressurePattern::Pressures pressures;
+  for (unsigned int i = 3; i < 9; ++i)
+    pressures[i] = 1;
+  const FacesOnly ring(std::move(points), std::move(faces), false);
+  EXPECT_EQ(PressurePattern(ring, {0}).n_pits(pressures), 0u);
 }
 
 
