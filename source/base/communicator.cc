@@ -204,12 +204,12 @@ namespace conetact
 
 
   Communicator::Counts
-  Communicator::count(const Eigen::Index own_numbers) const
+  Communicator::count(const Eigen::Index n_own) const
   {
-    Assert(own_numbers <= std::numeric_limits<int>::max() / n,
+    Assert(n_own <= std::numeric_limits<int>::max() / n,
            dealii::ExcMessage("An int counts the numbers of all."));
     Counts counts;
-    counts.own = static_cast<int>(own_numbers);
+    counts.own = static_cast<int>(n_own);
     traffic().add_collective(sizeof(int));
     counts.length.resize(at(n));
     MPI_Request request;
