@@ -115,16 +115,40 @@ def owner(statement, name):
     return touch.master if other_side(name) else touch.body
 
 
-def balance_faults(statement, t, rows, past):
-    """Each body's loads and reactions, in the directions that no support holds."""
+def still(point):
+    return point
+
+
+def way_of(statement, body, rows):
+    """Where points of a body come to that turns far: the rotation and translation nearest to what its nodes that meet obstacles
+    at rest have moved (Kabsch, Acta Cryst. A 32 (1976))."""
+    own = [row for row in rows if statement.contacts[row["contact"].removesuffix("_master")].master is None
+           and owner(statement, row["contact"]) == body]
+    if len(own) < 3:
+        return still
+    before = np.array([place(row) for row in own])
+    moved = []
+    for row in own:
+        n = vector(row, "n")
+        moved.append(sum(row[f"u_{name}"] * axis for name, axis in zip(("n", "t1", "t2"), (n, *tangents(n, statement.dim)))))
+    after = before + moved
+    a, b = before.mean(axis=0), after.mean(axis=0)
+    u, _, v = np.linalg.svd((before - a).T @ (after - b))
+    turn = v.T @ np.diag([1, 1, np.sign(np.linalg.det(v.T @ u.T))]) @ u.T
+    return lambda point: b + turn @ (point - a)
+
+
+def balance_faults(statement, t, rows, past, far=False):
+    """Each body's loads and reactions, in the directions that no support holds, undeformed or `far` from there."""
     sums = {body: Sums() for body in statement.free}
+    ways = {body: way_of(statement, body, rows) if far else still for body in sums}
     for load in statement.loads:
         if load.body in sums:
-            sums[load.body].add(padded(load.point), load.factor(t) * padded(load.force))
+            sums[load.body].add(ways[load.body](padded(load.point)), load.factor(t) * padded(load.force))
     for row in rows:
         body = owner(statement, row["contact"])
         if body in sums:
-            sums[body].add(acting_at(row), reaction(row, statement.dim))
+            sums[body].add(ways[body](acting_at(row)), reaction(row, statement.dim))
     bound = max(SUMS, 10 * statement.tolerance)
     for body, free in statement.free.items():
         yield from sums[body].faults(free, bound, f"body {body}", past)
@@ -222,6 +246,7 @@ def judge(folder, statement, finished=True):
     file = folder / "reactions.csv"
     rows = read(file) if file.exists() else []
     increments, faults, past = read(folder / "increments.csv"), [], 0.0
+    far = (folder / "log.txt").exists() and "kinematics finite sliding" in (folder / "log.txt").read_text()
     by_increment = {}
     for row in rows:
         by_increment.setdefault(row["increment"], []).append(row)
@@ -231,7 +256,7 @@ def judge(folder, statement, finished=True):
         row = next((row for row in increments if row["increment"] == number), {})
         t, in_parts = own[0]["time"], row.get("substeps", 1) != 1
         past = max(past, largest_force(statement, t, own))
-        found = [*balance_faults(statement, t, own, past), *action_faults(statement, own, past),
+        found = [*balance_faults(statement, t, own, past, far), *action_faults(statement, own, past),
                  *law_faults(statement, t, own, in_parts, past)]
         faults += [f"increment {number:g}, {fault}" for fault in found]
     if by_increment and finished:
