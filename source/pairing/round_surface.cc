@@ -63,10 +63,13 @@ namespace conetact::pairing
       double extent = 0, off = 0;
       for (const Point<3> &p : points)
         {
-          Tensor<1, 3> arm = p - round.centre;
-          arm -= (arm * round.axis) * round.axis;
-          off    = std::max(off, std::abs(arm.norm() - round.radius));
-          extent = std::max(extent, p.distance(points[0]));
+          const auto across = [&](Tensor<1, 3> v) {
+            v -= (v * round.axis) * round.axis;
+            return v.norm();
+          };
+          off =
+            std::max(off, std::abs(across(p - round.centre) - round.radius));
+          extent = std::max(extent, across(p - points[0]));
         }
       // what is nearly flat has no centre that one could tell
       return round.radius <= extent && off <= digits * round.radius;

@@ -84,19 +84,20 @@ namespace
 
   /** r_t less the friction that z asks for, and the gap, of one node; what is
    * seen counts by the node's compliance without the layer, 1, over that with
-   * it. */
+   * it, of tangents and of the normal. */
   SmallVector
   broken_by(const AnyLaws &laws, const SmallVector &v, const SmallVector &r)
   {
-    constexpr double  step = 1 / (1 + .2);
+    SmallVector step(3);
+    step << 1 / (1 + .1), 1 / (1 + .1), 1 / (1 + .2);
     const SmallVector seen =
       see([&](const double r_n,
               const double slip) { return laws.layer(0, r_n, slip); },
           v,
           r);
-    const SmallVector z    = r - step * seen;
+    const SmallVector z    = r - step.cwiseProduct(seen);
     const double      most = laws.limit(0, z(2), seen.head(2).norm(), 0).value;
-    SmallVector       law  = step * seen;
+    SmallVector       law  = step.cwiseProduct(seen);
     law.head(2)            = r.head(2) - most * z.head(2).normalized();
     return law;
   }
