@@ -334,16 +334,10 @@ namespace conetact::contact
                  const ContactModel             &model,
                  const Eigen::VectorXd          &forces)
   {
-    constexpr double  digits = 1e4; // more are not known
-    const std::string slips  = what_slips(last, friction, contact_names, model);
-    if (digits * limit.fraction < 1)
-      return describe_motion(limit, model, forces) +
-             ": this increment's load is not carried, not even a part of it" +
-             (slips.empty() ? "" : ", where " + slips) +
-             ". Less of it does not help: hold this motion by more friction, "
-             "by supports or by other loads";
-    solvers::Existence told = limit;
-    told.fraction           = std::floor(digits * limit.fraction) / digits;
+    constexpr double   digits = 1e4; // more are not known
+    const std::string  slips = what_slips(last, friction, contact_names, model);
+    solvers::Existence told  = limit;
+    told.fraction = std::max(std::floor(digits * limit.fraction), 1.) / digits;
     return describe(told, model, forces) +
            (slips.empty() ? "" : ", where " + slips) + ". Apply less load";
   }
