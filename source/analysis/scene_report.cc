@@ -330,6 +330,16 @@ namespace conetact::analysis
 
 
   void
+  report_meshes(const model::Bodies &bodies, Log &log)
+  {
+    for (std::size_t b = 0; b < bodies.n_elastic(); ++b)
+      log.say("Body " + bodies.names[b] + ": " +
+              bodies.structures[b]->description());
+    report_boundaries(bodies, log);
+  }
+
+
+  void
   report_loads(const bodies::NodalLoads &loads, Log &log)
   {
     for (std::size_t i = 0; i < loads.largest().size(); ++i)

@@ -215,7 +215,7 @@ namespace conetact::analysis
       catch (const InputError &) // often for want of what this lists
         {
           if (line.dry_run)
-            report_boundaries(scene.bodies, log);
+            report_meshes(scene.bodies, log);
           throw;
         }
       give_back_memory();

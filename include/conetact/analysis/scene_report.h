@@ -24,6 +24,10 @@ namespace conetact::analysis
   void
   report_boundaries(const model::Bodies &bodies, Log &log);
 
+  /** What each body is, and its boundaries: of a scene that is refused. */
+  void
+  report_meshes(const model::Bodies &bodies, Log &log);
+
   /**
    * Sums of the nodal forces of each load, as far as they are known, to the
    * log: what is meant for one node may act on several.
