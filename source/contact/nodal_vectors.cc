@@ -127,18 +127,26 @@ namespace conetact::contact
 
 
 
+  namespace
+  {
+    /** A map of directions, which is the same at all nodes of a body. */
+    template <typename Map>
+    auto
+    at_all_nodes(const Map &map)
+    {
+      return [&map](const unsigned int body,
+                    const unsigned int,
+                    const Tensor<1, 3> &v) { return map(body, v); };
+    }
+  } // namespace
+
   Eigen::VectorXd
   NodalVectors::forces_in_space(Eigen::VectorXd f) const
   {
     const auto map = [&](const unsigned int body, const Tensor<1, 3> &v) {
       return bodies.in_space(body, v);
     };
-    return map_nodes(
-      std::move(f),
-      [&](const unsigned int body, const unsigned int, const Tensor<1, 3> &v) {
-        return map(body, v);
-      },
-      map);
+    return map_nodes(std::move(f), at_all_nodes(map), map);
   }
 
 
@@ -149,12 +157,7 @@ namespace conetact::contact
     const auto map = [&](const unsigned int body, const Tensor<1, 3> &v) {
       return bodies.in_frame(body, v);
     };
-    return map_nodes(
-      std::move(f),
-      [&](const unsigned int body, const unsigned int, const Tensor<1, 3> &v) {
-        return map(body, v);
-      },
-      map);
+    return map_nodes(std::move(f), at_all_nodes(map), map);
   }
 
 
