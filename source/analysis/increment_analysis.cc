@@ -60,7 +60,8 @@ namespace conetact::analysis
   IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
     , solver(*this)
-    , settling(*this, solver, parts)
+    , swinging(*this)
+    , settling(*this, solver, parts, swinging)
     , between(solver.search.sliding_contacts(), model)
     , wear(*this, solver.search.is_needed())
   {
@@ -167,8 +168,38 @@ namespace conetact::analysis
     return {Step::Outcome::accepted, parts.others_follow() ? first : k};
   }
 
+  /* What the fast method does not find where a body may hang is tried with the
+     body swinging before slow methods are. */
   Failure
   IncrementAnalysis::solve_next(PendingIncrement &increment)
+  {
+    const bool may_swing = swinging.may_help(increment);
+    solver.set_fast_only(may_swing && backend->otherwise == nullptr);
+    Failure failure = solve_and_settle(increment);
+    if (!failure || !may_swing)
+      return failure;
+    if (backend->otherwise != nullptr) // once bodies are condensed
+      {
+        failure.unsolved = true;
+        return failure;
+      }
+    const bool was_left = solver.was_slow();
+    solver.set_fast_only(false);
+    const auto try_again = [&] {
+      history = increment.before;
+      increment =
+        solver.start(increment.record.increment, increment.record.time);
+      return solve_and_settle(increment);
+    };
+    swinging.begin(increment);
+    if (!try_again())
+      return {};
+    swinging.stop();
+    return was_left ? try_again() : failure;
+  }
+
+  Failure
+  IncrementAnalysis::solve_and_settle(PendingIncrement &increment)
   {
     const Failure failure = solver.solve(increment);
     return !failure && solver.search.is_needed() ? settling.settle(increment) :

@@ -126,7 +126,7 @@ namespace conetact::analysis
   {
     constexpr Eigen::Index many = 300; // unknowns: fewer take no minutes
     is_slow                     = true;
-    if (!start_is_known)
+    if (!start_is_known || fast_only)
       return true;
     Assert(increment_at_hand != nullptr, dealii::ExcInternalError());
     const model::IncrementRecord &record = increment_at_hand->record;
@@ -187,7 +187,7 @@ namespace conetact::analysis
     if (const solvers::SolverReport &report = increment.record.report;
         !report.converged)
       {
-        if (is_slow && !start_is_known)
+        if (is_slow && (!start_is_known || fast_only))
           return {"it is postponed", false, false, true};
         const std::string limit = equilibrium.limit(problem, increment);
         // Of smaller parts it is the limit, too; fluids change what is held.

@@ -14,10 +14,12 @@ namespace conetact::analysis
 {
   Settling::Settling(RunContext           &r,
                      IncrementSolver      &of_increments,
-                     const IncrementParts &of_increment)
+                     const IncrementParts &of_increment,
+                     Swinging             &of_bodies)
     : run(r)
     , solver(of_increments)
     , parts(of_increment)
+    , swinging(of_bodies)
   {}
 
   Failure
@@ -52,7 +54,7 @@ namespace conetact::analysis
         const double error   = std::max({change.gap, change.force, turn});
         const bool   is_slow = n >= most / 3 && error > .9 * before;
         before               = error;
-        if (error <= exact)
+        if (error <= exact && swinging.is_over(increment))
           return passes_through(increment.record, u);
         if ((is_slow || n == most) && turn <= least_turn &&
             may_take(increment.record, change))
@@ -66,6 +68,8 @@ namespace conetact::analysis
                     "with a warning where they are wrong",
                   false,
                   true};
+        if (swinging.is_on())
+          swinging.go_on(increment, w);
         run.model.frames.move(moved);
         if (const std::string why = solver.search.rolls_on(); !why.empty())
           return {why, false, true};

@@ -23,6 +23,8 @@ namespace conetact::contact
     MatrixXd            all = MatrixXd::Zero(n + k, n + k);
     all.topLeftCorner(n, n) = rows.flexibility(bodies);
     free.add_to(H, all);
+    if (motions.has_geometric())
+      all.bottomRightCorner(k, k) += motions.geometric_of_own();
     // A rigid body has no unknowns that deform: its motions are all there is.
     for (Index j = free.first_rigid(); j < k; ++j)
       {

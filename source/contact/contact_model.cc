@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -192,6 +193,9 @@ namespace conetact::contact
         d = std::abs(d) <= zero ? 0. : d;
     LoadCase load  = elasticity().reduce(all, thermal, prescribed);
     load.placement = placement;
+    if (motions.has_geometric())
+      load.f.segment(points.n_unknowns(), motions.n_free()) -=
+        motions.geometric_forces(stiffened_about);
     const Eigen::VectorXd offset = all_offsets(load, t);
     load.offset                  = offset.head(points.n_unknowns());
     elasticity().bound().move(offset.tail(points.n_bound_unknowns()) +
@@ -346,7 +350,8 @@ namespace conetact::contact
                        ElasticState                     &state)
   {
     turn_ties(bodies, nodes);
-    const bool turns_motions = rules.turn_with_frames();
+    const bool stiffens      = std::exchange(is_stiffened, false);
+    const bool turns_motions = rules.turn_with_frames() || stiffens;
     if (std::string why = points.relink(std::move(nodes), times); !why.empty())
       return why;
     // Free motions are those of supports and ties, which stay but where axes
@@ -368,6 +373,23 @@ namespace conetact::contact
     if (w.size() > 0)
       state.start = shared(elasticity().states().nearby(w, Eigen::VectorXd()));
     return {};
+  }
+
+  void
+  ContactModel::stiffen(Eigen::MatrixXd geometric, Eigen::VectorXd about)
+  {
+    AssertDimension(about.size(), motions.none().size());
+    motions.set_geometric(std::move(geometric));
+    stiffened_about = std::move(about);
+    is_stiffened    = true;
+  }
+
+  Eigen::VectorXd
+  ContactModel::geometric_forces(const Eigen::VectorXd &a) const
+  {
+    return motions.has_geometric() ?
+             motions.geometric_forces(motions.of_free(a) - stiffened_about) :
+             Eigen::VectorXd();
   }
 
   /* A cut stays as open as it is: that is a placement of its rigid body from

@@ -314,6 +314,8 @@ namespace conetact::contact
   RigidMotions::find_resisted()
   {
     Eigen::MatrixXd springs = Eigen::MatrixXd::Zero(held.rows(), held.cols());
+    if (geometric.size() > 0)
+      springs += geometric / geometric.cwiseAbs().maxCoeff();
     for (const bodies::Support &support : bodies.supports)
       if (support.stiffness)
         for (const bodies::SurfaceNode &node : support.surface.nodes)

@@ -55,6 +55,8 @@ namespace conetact::analysis
     /** From where the one before it ends. */
     Failure
     solve_next(PendingIncrement &increment);
+    Failure
+    solve_and_settle(PendingIncrement &increment);
     /** Whether a cut is to be locked before increment k. */
     bool
     lock_is_due(const unsigned int k) const;
@@ -115,6 +117,7 @@ namespace conetact::analysis
 
     IncrementParts      parts; ///< of the one that is next
     IncrementSolver     solver;
+    Swinging            swinging;
     Settling            settling;
     BetweenNodes        between;
     WearComparison      wear;

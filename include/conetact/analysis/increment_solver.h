@@ -72,6 +72,18 @@ namespace conetact::analysis
     {
       start_is_known = is_known;
     }
+    /** Increments that the fast method does not find are left from now on. */
+    void
+    set_fast_only(const bool is_fast_only)
+    {
+      fast_only = is_fast_only;
+    }
+    /** Whether the last one was such. */
+    bool
+    was_slow() const
+    {
+      return is_slow;
+    }
     /** Why bodies must move from where they stand before increment k, a
      * sentence; empty: that is not known. */
     std::string
@@ -143,6 +155,7 @@ namespace conetact::analysis
     unsigned int slow_increment = 0; ///< the last one that was said to be slow
     bool         is_slow        = false; ///< the increment at hand
     bool         start_is_known = true;
+    bool         fast_only      = false;
   };
 } // namespace conetact::analysis
 

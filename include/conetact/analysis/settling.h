@@ -6,6 +6,7 @@
 
 #include "conetact/analysis/increment_parts.h"
 #include "conetact/analysis/increment_solver.h"
+#include "conetact/analysis/swinging.h"
 
 #include <string>
 
@@ -22,7 +23,8 @@ namespace conetact::analysis
      * settled. */
     Settling(RunContext           &run,
              IncrementSolver      &solver,
-             const IncrementParts &parts);
+             const IncrementParts &parts,
+             Swinging             &swinging);
 
     /** Takes an increment that is solved; solves it again, until its contacts
      * stay. */
@@ -53,6 +55,7 @@ namespace conetact::analysis
     RunContext           &run;
     IncrementSolver      &solver;
     const IncrementParts &parts;
+    Swinging             &swinging;
     bool                  has_said = false;
   };
 } // namespace conetact::analysis

@@ -124,6 +124,19 @@ namespace conetact::contact
     relink(std::vector<pairing::ContactNode> nodes, ElasticState &state);
 
     /**
+     * From the next relink() on forces resist turns of bodies that have frames
+     * (geometric_stiffness(); empty: they do not), from amounts `about` on,
+     * which should be those that leave frames where they are: then the
+     * resistance is nothing but a way to get there. For condensed bodies.
+     */
+    void
+    stiffen(Eigen::MatrixXd geometric, Eigen::VectorXd about);
+    /** What it adds to the balance of free motions that have moved by amounts
+     * a [force]; empty: forces resist no turns. */
+    Eigen::VectorXd
+    geometric_forces(const Eigen::VectorXd &a) const;
+
+    /**
      * Locks cuts that are due in increments that begin at t, as open as they
      * are in displacements u of all dofs (none: undeformed). Whether there were
      * any: free motions are other ones then. What is not condensed is made
@@ -163,6 +176,8 @@ namespace conetact::contact
     const condensed::Condenser &condenser;
     const solvers::Form         form;
     const ElasticityRow        *row = &elasticity_table().front();
+    bool            is_stiffened    = false; ///< motions do not know it yet
+    Eigen::VectorXd stiffened_about;         ///< amounts of all modes
     std::unique_ptr<Elasticity> made;
     condensed::SchurWork        former_work; ///< before it was made anew
   };

@@ -10,6 +10,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <utility>
 #include <vector>
 
 namespace conetact::contact
@@ -40,6 +41,34 @@ namespace conetact::contact
     /** A cut was locked: fewer motions are free. */
     void
     find_again(const ContactPoints &points);
+
+    /**
+     * How forces resist turns, in modes of all bodies (geometric_stiffness());
+     * empty: not at all. Motions are those that it leaves after find_again().
+     */
+    void
+    set_geometric(Eigen::MatrixXd of_modes)
+    {
+      geometric = std::move(of_modes);
+    }
+    bool
+    has_geometric() const
+    {
+      return geometric.size() > 0;
+    }
+    /** By what forces it resists the free motions in amounts of all modes. */
+    Eigen::VectorXd
+    geometric_forces(const Amounts &amounts) const
+    {
+      return free_modes.transpose() * (geometric * amounts);
+    }
+    /** The stiffness that own motions have by it: ties take no part. */
+    Eigen::MatrixXd
+    geometric_of_own() const
+    {
+      return free_parts * (free_modes.transpose() * geometric * free_modes) *
+             free_parts.transpose();
+    }
 
     /** Contacts were found again: what they see of free motions. */
     void
@@ -164,6 +193,7 @@ namespace conetact::contact
     multiply_free();
 
     const NodeRules          &rules;
+    Eigen::MatrixXd           geometric; ///< of all modes, or empty
     Eigen::MatrixXd           held; ///< sum of row^T row over held directions
     Eigen::MatrixXd           held_inverse; ///< pseudo-inverse of it
     Eigen::MatrixXd           own_modes, free_modes;
