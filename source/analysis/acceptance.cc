@@ -22,24 +22,6 @@ namespace conetact::analysis
     /** Of coordinates: what they are known to. */
     constexpr double known_to = 16 * 2.2e-16;
 
-    /** Tells whether friction holds nothing of a contact any more. */
-    bool
-    all_slips(const contact::ContactModel &model,
-              const PendingIncrement      &increment,
-              const unsigned int           contact)
-    {
-      bool any = false;
-      for (std::size_t i = 0; i < model.points.size(); ++i)
-        if (const contact::ContactPoint &point = model.points[i];
-            point.node->contact == contact && point.mu > 0)
-          {
-            if (increment.state.node[i] == solvers::NodeState::stick)
-              return false;
-            any = any || increment.state.node[i] == solvers::NodeState::slip;
-          }
-      return any;
-    }
-
     /** A kind of warning: one is enough. */
     const std::string small_is_off = "small kinematics";
 
@@ -366,7 +348,7 @@ namespace conetact::analysis
                        "finite sliding is not for it: " + why_not) +
                     "): directions of forces are off by as much, friction "
                     "of what is only pressed by more." +
-                    (all_slips(model, end.increment, tilted->first) ?
+                    (small.all_slips(end.increment, tilted->first) ?
                        " All of its nodes that touch slip: the limit of its "
                        "friction may have been passed." :
                        ""));

@@ -102,28 +102,15 @@ namespace conetact::analysis
                                    const contact::ContactModel &m)
     : scene(s)
     , model(m)
+    , facets(s, m)
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
-        const pairing::Contact  &contact     = scene.contacts[c];
-        const bool               on_obstacle = contact.obstacle != nullptr;
-        const bodies::Structure &body = *model.bodies.structures[contact.body];
-        if (!on_obstacle && contact.kind == pairing::ContactKind::contact)
-          {
-            note_facets(c, body.surface(contact.ids).faces, facets);
-            note_facets(c,
-                        model.bodies.structures[contact.master]
-                          ->surface(contact.master_ids)
-                          .faces,
-                        master_facets);
-          }
-        if (contact.slides ? !on_obstacle : !scene.kinematics[c].may_tilt())
+        const pairing::Contact &contact = scene.contacts[c];
+        if (contact.slides || contact.obstacle != nullptr ||
+            !scene.kinematics[c].may_tilt())
           continue;
-        if (on_obstacle)
-          {
-            note_facets(c, body.surface(contact.ids).faces, facets);
-            continue;
-          }
+        const bodies::Structure &body = *model.bodies.structures[contact.body];
         for (const bodies::SurfaceFace &face : body.surface(contact.ids).faces)
           {
             std::vector<unsigned int> corners(
@@ -133,29 +120,6 @@ namespace conetact::analysis
             for (const unsigned int i : face.nodes)
               faces_at[{c, i}].push_back(corners);
           }
-      }
-  }
-
-  void
-  SmallKinematics::note_facets(const unsigned int                      contact,
-                               const std::vector<bodies::SurfaceFace> &faces,
-                               Facets                                 &of_nodes)
-  {
-    constexpr double                                  flat = 1e-3; // rad
-    std::map<unsigned int, std::vector<Tensor<1, 3>>> normals;     // of nodes
-    for (const bodies::SurfaceFace &face : faces)
-      for (const unsigned int i : face.nodes)
-        normals[i].push_back(face.normal);
-    for (const auto &[node, at] : normals)
-      {
-        double turn = 0;
-        for (const Tensor<1, 3> &a : at)
-          for (const Tensor<1, 3> &b : at)
-            if (const double angle = std::acos(std::min(1., a * b));
-                angle <= bodies::angle_of_patches)
-              turn = std::max(turn, angle);
-        if (turn > flat)
-          of_nodes[{contact, node}] = turn;
       }
   }
 
@@ -169,75 +133,6 @@ namespace conetact::analysis
     add_turned_springs(end, found);
     add_rolled(end, found);
     return found;
-  }
-
-  double
-  SmallKinematics::facet_at(const pairing::ContactNode &node) const
-  {
-    const auto in = [&](const Facets &all, const unsigned int i) {
-      const auto found = all.find({node.contact, i});
-      return found == all.end() ? 0. : found->second;
-    };
-    double largest = in(facets, node.node);
-    if (node.obstacle == nullptr)
-      for (const auto &[master, weight] : node.masters)
-        largest = std::max(largest, in(master_facets, master));
-    return largest;
-  }
-
-  double
-  SmallKinematics::rolled(const pairing::ContactNode &node,
-                          const IncrementEnd         &end) const
-  {
-    const auto turn_of = [&](const unsigned int body) {
-      return model.frames.has(body) ? Tensor<1, 3>() :
-                                      model.motions.turn(end.amounts, body);
-    };
-    if (node.meets_nothing() || facet_at(node) == 0)
-      return 0;
-    Tensor<1, 3> turn = turn_of(node.body);
-    if (node.obstacle == nullptr)
-      turn -= turn_of(node.master);
-    return (turn - (turn * node.n) * node.n).norm();
-  }
-
-  /* Nodes that press keep pressing as a round body rolls, at the arm of their
-     undeformed places: a moment that nothing real has. Facets hold a body
-     until it has turned by half of one. So it is with finite sliding where a
-     body has no frame, for what it is tied to has none. */
-  void
-  SmallKinematics::add_rolled(const IncrementEnd &end, Found &found) const
-  {
-    constexpr double little = .05; // of what friction may do
-    if (scene.path.follows)
-      return;
-    const auto closed = [&](const std::size_t i) {
-      return end.increment.state.node[i] != solvers::NodeState::open;
-    };
-    for (std::size_t i = 0; i < model.points.size(); ++i)
-      if (const pairing::ContactNode &node = *model.points[i].node;
-          closed(i) && found.count(node.contact) == 0)
-        {
-          const double turn = rolled(node, end), mu = model.points[i].mu;
-          if (turn == 0)
-            continue;
-          const bool is_far = turn > .5 * facet_at(node);
-          if (is_far ||
-              (node.obstacle != nullptr && mu > 0 && turn > little * mu))
-            found.emplace(
-              node.contact,
-              Left{model.bodies.called(node.body) + " rolls by " +
-                   to_text(turn) + " rad at its contact node " +
-                   to_text(node.position) +
-                   (is_far ?
-                      ", more than half of what its faces turn by from one "
-                      "to the next" :
-                      ", which makes a moment beside that of its friction") +
-                   (node.slides ? ", and what ties or couples it does not turn "
-                                  "with it. Use a smaller motion, or hold it "
-                                  "by other means" :
-                                  "")});
-        }
   }
 
   void

@@ -19,7 +19,7 @@ namespace conetact::contact
   namespace
   {
     /** Distances of both sides below this part of a cell are rounding. */
-    constexpr double rounding = 1e-13;
+    constexpr double turn_rounding = 1e-13;
     /** Further away than so many cells nothing is continued to. */
     constexpr double most_cells = 1;
 
@@ -241,7 +241,7 @@ namespace conetact::contact
         return false;
       const double apart =
         pairing::undeformed_distance(node, bodies.structures).norm();
-      return apart > rounding * node.spacing &&
+      return apart > turn_rounding * node.spacing &&
              apart <= most_cells * node.spacing;
     }
   } // namespace

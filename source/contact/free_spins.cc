@@ -118,6 +118,62 @@ namespace conetact::contact
                          });
     }
 
+    /** Normals of a surface at nodes around which it is a plane. */
+    std::map<unsigned int, Tensor<1, 3>>
+    planes_of(const bodies::Surface &surface)
+    {
+      constexpr double                     rounding = 1e-6; // rad
+      std::map<unsigned int, Tensor<1, 3>> planes;
+      for (const bodies::SurfaceFace &face : surface.faces)
+        for (const unsigned int i : face.nodes)
+          {
+            const auto [plane, is_new] = planes.emplace(i, face.normal);
+            if ((plane->second - face.normal).norm() > rounding)
+              plane->second = Tensor<1, 3>();
+          }
+      for (auto plane = planes.begin(); plane != planes.end();)
+        plane = plane->second.norm() == 0 ? planes.erase(plane) : ++plane;
+      return planes;
+    }
+
+    std::map<unsigned int, Tensor<1, 3>>
+    planes_opposite(const unsigned int   body,
+                    const Contact       &contact,
+                    const model::Bodies &bodies)
+    {
+      const bool is_master = body != contact.body;
+      return planes_of(
+        is_master ?
+          bodies.structures[contact.body]->surface(contact.ids) :
+          bodies.structures[contact.master]->surface(contact.master_ids));
+    }
+
+    /** The normal of a plane that a node lies on, or faces, opposite to a round
+     * side, in space; none: it is not that of a plane. */
+    std::optional<Tensor<1, 3>>
+    plane_at(const pairing::ContactNode &node,
+             const model::RoundSide     &side,
+             const model::Bodies        &bodies)
+    {
+      std::optional<Tensor<1, 3>> normal;
+      bool                        is_plane = true;
+      const auto                  look_at  = [&](const unsigned int i, double) {
+        const auto plane = side.opposite_planes.find(i);
+        is_plane = is_plane && plane != side.opposite_planes.end();
+        if (is_plane)
+          normal = plane->second;
+      };
+      const bool is_master = node.body != side.body;
+      if (is_master)
+        pairing::for_each_slave(node, look_at);
+      else
+        for (const auto &[i, weight] : node.masters)
+          look_at(i, weight);
+      if (!is_plane || !normal)
+        return {};
+      return bodies.in_space(is_master ? node.body : node.master, *normal);
+    }
+
     /** Where the force of a contact node acts on its side, undeformed. */
     Point<3>
     acting_on(const pairing::ContactNode &node,
@@ -155,12 +211,15 @@ namespace conetact::contact
           continue;
         for (unsigned int c = 0; c < contacts.size(); ++c)
           if (contacts[c].obstacle == nullptr && is_on(body, contacts[c]))
-            found.push_back({c, body, *round});
+            found.push_back(
+              {c, body, *round, planes_opposite(body, contacts[c], bodies)});
       }
     return found;
   }
 
-  /* Of two such sides of a contact the last one counts. */
+  /* Of two such sides of a contact the last one counts. What rolls on a plane
+     is pressed along the normal of the plane, wherever the node is; it may turn
+     until facets lie on the planes. */
   void
   point_to_axes(const model::Bodies               &bodies,
                 std::vector<pairing::ContactNode> &nodes)
@@ -172,10 +231,14 @@ namespace conetact::contact
           if (node.contact != side.contact || node.meets_nothing())
             continue;
           const bool   is_master = node.body != side.body;
+          const auto   plane     = plane_at(node, side, bodies);
           Tensor<1, 3> n =
-            bodies.in_space(side.body,
-                            side.surface.outward(acting_on(
-                              node, is_master, *bodies.structures[side.body])));
+            plane ?
+              *plane :
+              bodies.in_space(
+                side.body,
+                side.surface.outward(
+                  acting_on(node, is_master, *bodies.structures[side.body])));
           if (n * node.n < 0)
             n *= -1;
           if (n * node.n > askew)

@@ -29,7 +29,7 @@ namespace conetact::contact
     constexpr double at_limit = 1e-9;
 
     /** A motion below this part of the way is rounding. */
-    constexpr double rounding = 1e-12;
+    constexpr double way_rounding = 1e-12;
 
     MatrixXd
     stacked(const std::vector<Eigen::RowVectorXd> &rows, const Index n_columns)
@@ -223,7 +223,7 @@ namespace conetact::contact
     if (!out)
       return {};
     const VectorXd change = open * (y + *out);
-    return solvers::largest(change) <= rounding * solvers::largest(way) ?
+    return solvers::largest(change) <= way_rounding * solvers::largest(way) ?
              VectorXd() :
              change;
   }

@@ -54,6 +54,43 @@ namespace conetact::pairing
             turn = std::max(turn, turn_at_edge(*one, *other, cosine));
       return turn;
     }
+    /** By how much normals turn from the middle of a face to that of the next
+     * one over the way between [1/length], where it is most. */
+    double
+    largest_curvature(const std::vector<const FaceNet::Face *> &faces,
+                      const double                              sharp)
+    {
+      constexpr double flat    = 1e-4; // rad
+      double           largest = 0;
+      for (const FaceNet::Face *const one : faces)
+        for (const FaceNet::Face *const other : faces)
+          {
+            const Tensor<1, 3> turn = other->outward - one->outward,
+                               way  = other->centre - one->centre;
+            if (one->outward * other->outward < sharp || turn.norm() < flat)
+              continue;
+            const double curvature =
+              std::copysign(turn.norm() / way.norm(), turn * way);
+            if (std::abs(curvature) > std::abs(largest))
+              largest = curvature;
+          }
+      return largest;
+    }
+
+    /** A mean over nodes, by the sizes of their weights; 0 at those without. */
+    double
+    mean_of(const std::map<unsigned int, double>               &values,
+            const std::vector<std::pair<unsigned int, double>> &nodes)
+    {
+      double sum = 0, whole = 0;
+      for (const auto &[node, weight] : nodes)
+        {
+          const auto found = values.find(node);
+          sum += std::abs(weight) * (found == values.end() ? 0 : found->second);
+          whole += std::abs(weight);
+        }
+      return whole > 0 ? sum / whole : 0.;
+    }
   } // namespace
 
   BluntEdges::BluntEdges(const std::vector<FaceNet::Face> &faces,
@@ -64,7 +101,19 @@ namespace conetact::pairing
       for (std::size_t c = 0; c < face.corners.size(); ++c)
         around[face.nodes[c]].faces.push_back(&face);
     for (auto &[node, at_node] : around)
-      at_node.turn = largest_turn(at_node.faces, cosine);
+      {
+        at_node.turn     = largest_turn(at_node.faces, cosine);
+        curvatures[node] = largest_curvature(at_node.faces, cosine);
+      }
+    for (const FaceNet::Face &face : faces) // nodes between corners
+      {
+        double sum = 0;
+        for (std::size_t c = 0; c < face.corners.size(); ++c)
+          sum += curvatures.at(face.nodes[c]);
+        for (std::size_t i = face.corners.size(); i < face.nodes.size(); ++i)
+          curvatures[face.nodes[i]] =
+            sum / static_cast<double>(face.corners.size());
+      }
     for (const auto &[node, at_node] : around)
       {
         if (at_node.turn <= by_mesh || !at_node.is_inside())
@@ -92,22 +141,29 @@ namespace conetact::pairing
   BluntEdges::at(
     const std::vector<std::pair<unsigned int, double>> &nodes) const
   {
-    double sum = 0, whole = 0;
-    for (const auto &[node, weight] : nodes)
-      {
-        sum += std::abs(weight) * at(node);
-        whole += std::abs(weight);
-      }
-    return whole > 0 ? sum / whole : 0.;
+    return mean_of(excess, nodes);
   }
 
   double
-  part_of_normal(const double own_edge, const double other_edge)
+  BluntEdges::curvature(
+    const std::vector<std::pair<unsigned int, double>> &nodes) const
+  {
+    return mean_of(curvatures, nodes);
+  }
+
+  /* Hollows are followed where what touches them is bent much more. */
+  double
+  part_of_normal(const BentSide &own, const BentSide &other)
   {
     constexpr double little = 2 * M_PI / 180;
     const auto       power  = [](const double angle) {
       return std::pow(angle / little, 4);
     };
-    return (power(other_edge) + 1) / (power(own_edge) + power(other_edge) + 2);
+    const double sum = own.curvature + other.curvature;
+    const bool   fit = std::min(own.curvature, other.curvature) < -.5 * sum;
+    const double by_curvature =
+      sum <= 0 || fit ? .5 : std::clamp(other.curvature / sum, 0., 1.);
+    return (power(other.edge) + 2 * by_curvature) /
+           (power(own.edge) + power(other.edge) + 2);
   }
 } // namespace conetact::pairing

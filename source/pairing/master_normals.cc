@@ -56,10 +56,11 @@ namespace conetact::pairing
     if (of_master * outward > -opposite * of_master.norm() ||
         of_master.norm() == 0)
       return -outward;
-    // The normal points from the master to the slave, half way between that out
-    // of the master and that into the slave where neither has an edge.
-    const double part =
-      part_of_normal(slave_edges.at(node), master_edges.at(masters));
+    // The normal points from the master to the slave, between that out of the
+    // master and that into the slave.
+    const double part = part_of_normal(
+      {slave_edges.at(node), slave_edges.curvature({{node, 1.}})},
+      {master_edges.at(masters), master_edges.curvature(masters)});
     const Tensor<1, 3> n =
       (1 - part) * of_master / of_master.norm() - part * outward;
     return n / n.norm();

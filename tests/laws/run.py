@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, grooves, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings, swings,  # noqa: E402
+from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, grooves, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings, swings, vees,  # noqa: E402
                   round_pairs, sliding, spins, spreading, stages,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
@@ -35,7 +35,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings,
-            "mortar-many": mortar.many, "mortar-apart": mortar.apart, "tie": tie.tie_family, "limits": limits.limits, "jams": jams.jams, "spins": spins.spins, "swings": swings.swings, "spreading": spreading.spreading,
+            "mortar-many": mortar.many, "mortar-apart": mortar.apart, "tie": tie.tie_family, "limits": limits.limits, "jams": jams.jams, "spins": spins.spins, "swings": swings.swings, "vees": vees.vees, "spreading": spreading.spreading,
             "redundant": redundant.redundant_family, "rims": rims.rims,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload, "vanishing": vanishing.vanishing,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,

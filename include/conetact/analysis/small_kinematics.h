@@ -5,6 +5,7 @@
 #define conetact_analysis_small_kinematics_h
 
 #include "conetact/analysis/pending_increment.h"
+#include "conetact/analysis/round_facets.h"
 #include "conetact/application/scene.h"
 #include "conetact/verification/verification.h"
 
@@ -59,6 +60,11 @@ namespace conetact::analysis
     std::vector<Turned>
     turned(const Eigen::VectorXd &amounts) const;
 
+    /** Whether friction holds nothing of a contact any more. */
+    bool
+    all_slips(const PendingIncrement &increment,
+              const unsigned int      contact) const;
+
     /** A contact of curved sides whose normals have turned; none: little. */
     std::optional<std::pair<unsigned int, std::string>>
     tilted(const IncrementEnd &end) const;
@@ -74,18 +80,13 @@ namespace conetact::analysis
     add_turned_springs(const IncrementEnd &end, Found &found) const;
     void
     add_rolled(const IncrementEnd &end, Found &found) const;
+    /** Whether a body has a motion that no support prescribes. */
+    bool
+    is_free(const unsigned int body) const;
     /** How far a round body has rolled at a node of it [rad]; 0 where it is not
      * round. */
     double
     rolled(const pairing::ContactNode &node, const IncrementEnd &end) const;
-    /** What round sides turn by from face to face there [rad]; 0: none is. */
-    double
-    facet_at(const pairing::ContactNode &node) const;
-    using Facets = std::map<std::pair<unsigned int, unsigned int>, double>;
-    static void
-    note_facets(const unsigned int                      contact,
-                const std::vector<bodies::SurfaceFace> &faces,
-                Facets                                 &of_nodes);
     pairing::RigidMotion
     obstacle_motion(const pairing::ContactNode &node,
                     const Eigen::VectorXd      &amounts,
@@ -99,9 +100,8 @@ namespace conetact::analysis
     /** Faces at the nodes of contacts with other bodies that may tilt. */
     std::map<std::pair<unsigned int, unsigned int>,
              std::vector<std::vector<unsigned int>>>
-      faces_at;
-    /** How far smooth faces turn at nodes of sides [rad]. */
-    Facets facets, master_facets;
+                        faces_at;
+    mutable RoundFacets facets; ///< finds sides when they are asked for
   };
 } // namespace conetact::analysis
 

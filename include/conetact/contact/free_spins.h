@@ -25,7 +25,8 @@ namespace conetact::contact
                   const model::Bodies                 &bodies);
 
   /** Gives contacts of such sides the normals of the round surfaces, through
-   * the axis, where frames have taken it: their forces do not turn the body. */
+   * the axis, where frames have taken it: their forces do not turn the body.
+   * Opposite to a plane they have its normal. */
   void
   point_to_axes(const model::Bodies               &bodies,
                 std::vector<pairing::ContactNode> &nodes);

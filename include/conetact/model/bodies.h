@@ -10,6 +10,7 @@
 #include "conetact/pairing/round_surface.h"
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,6 +54,9 @@ namespace conetact::model
     unsigned int          contact = 0; ///< index
     unsigned int          body    = 0;
     pairing::RoundSurface surface; ///< undeformed
+    /** Outward normals at nodes of the other side where all faces of it are one
+     * plane, in its body. */
+    std::map<unsigned int, Tensor<1, 3>> opposite_planes;
   };
 
   /** The bodies of a scene, what holds them and where they may touch. */

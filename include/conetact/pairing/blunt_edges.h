@@ -32,15 +32,30 @@ namespace conetact::pairing
     /** The mean over nodes, by the sizes of their weights. */
     double
     at(const std::vector<std::pair<unsigned int, double>> &nodes) const;
+    /** How much the surface is bent over a mean of nodes [1/length]; below 0
+     * where it is hollow. */
+    double
+    curvature(const std::vector<std::pair<unsigned int, double>> &nodes) const;
 
   private:
-    std::map<unsigned int, double> excess;
+    std::map<unsigned int, double> excess, curvatures;
   };
 
-  /** Which part the normal of the one side has in a normal between both, whose
-   * edges turn by these angles: half where there are none. */
+  /** An edge, and what is bent beside it, of one side of a contact. */
+  struct BentSide
+  {
+    double edge;      ///< BluntEdges::at() [rad]
+    double curvature; ///< [1/length]
+  };
+
+  /**
+   * Which part the normal of the one side has in a normal between both. Where
+   * there are no edges: so much that the normal stays the same over the place
+   * where they touch, @f$\kappa_o / (\kappa + \kappa_o)@f$, as Hertz has it;
+   * half where neither is bent, or both fit into each other.
+   */
   double
-  part_of_normal(const double own_edge, const double other_edge);
+  part_of_normal(const BentSide &own, const BentSide &other);
 } // namespace conetact::pairing
 
 #endif

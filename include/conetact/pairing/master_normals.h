@@ -15,8 +15,8 @@ namespace conetact::pairing
 {
   /**
    * Normals between two surfaces that close a gap. Where they touch they become
-   * one, which lies between them if both deform: of two equal bodies it is
-   * their plane of symmetry, along which nothing slips while they are pressed.
+   * one: that of a plane side where the other one is round, between both of two
+   * equal bodies, so that it is the same all over the place where they touch.
    * An edge that is not sharp takes the normal of the other side.
    */
   class MasterNormals
