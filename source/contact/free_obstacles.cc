@@ -15,8 +15,9 @@ namespace conetact::contact
   {
     /**
      * The feet of all nodes that meet the obstacle become its nodes, behind
-     * node 0, its reference point. Feet of nodes that slide are means over
-     * nodes that span its axes: they go wherever the obstacle may be met later.
+     * node 0, its reference point. Nodes that span its axes tell how it has
+     * moved. Feet of nodes that slide are means over these: they go wherever
+     * the obstacle may be met later.
      */
     std::unique_ptr<bodies::Structure>
     make_body(const pairing::Obstacle &obstacle, model::Bodies &bodies)
@@ -34,8 +35,7 @@ namespace conetact::contact
           }
       auto body = std::make_unique<bodies::RigidBody>(
         bodies.dim, obstacle.reference, feet, bodies.are_axisymmetric());
-      if (!sliding.empty())
-        body->span();
+      body->span();
       for (pairing::ContactNode *node : sliding)
         node->masters = body->weights_of(node->foot());
       return body;

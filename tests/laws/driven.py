@@ -102,6 +102,7 @@ def corner_blocks(dim, places):
 
 def free_obstacles(laws):
     """What statics says of obstacles that loads press."""
+    spun_ball(laws)
     for dim in (2, 3):
         sphere = {"Shape": "sphere", "Center": (.1,) * (dim - 1) + (1.0,), "Radius": 1.0}
         pressed = layer(dim, sphere | {"Free": "xyz"[dim - 1], "Force": along_last(dim, "-7*t")}, mu=.2)
@@ -159,6 +160,15 @@ def free_obstacles(laws):
         laws.demand(f"a plate that {name} is refused: {done.stderr.strip()}",
                     done.returncode == 2 and sentence in done.stderr)
     slides_on_a_dent(laws)
+
+
+def spun_ball(laws):
+    """A ball that turns about its own axis is no deeper between nodes than it was."""
+    radius = 8.0
+    ball_on_top = {"Shape": "sphere", "Center": (.1, .1, radius), "Radius": radius, "Reference point": (.1, .1, 0.0), "Free": "z, rz",
+                   "Force": "0 ; 0 ; -7*min(t,1)", "Moment": "0 ; 0 ; .5*max(t-1,0)"}
+    run = laws.run(merge(layer(3, ball_on_top, cells=(4, 4, 2), mu=.4), {"Time": {"Times": "1, 2"}}))
+    laws.demand("a spun ball: no warning of depth", "deep in" not in log_of(run))
 
 
 def slides_on_a_dent(laws):
