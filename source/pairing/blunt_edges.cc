@@ -77,6 +77,22 @@ namespace conetact::pairing
       return largest;
     }
 
+    /** Hollows are followed where what touches them is bent much more. What
+     * two equal surfaces differ by is their meshes. */
+    double
+    part_by_curvature(const BentSide &own, const BentSide &other)
+    {
+      constexpr double of_meshes = .05;
+      const double     sum       = own.curvature + other.curvature;
+      if (sum <= 0 || std::min(own.curvature, other.curvature) < -.5 * sum)
+        return .5;
+      const double more =
+        std::clamp((other.curvature - own.curvature) / sum, -1., 1.);
+      const double beyond =
+        std::max(0., std::abs(more) - of_meshes) / (1 - of_meshes);
+      return .5 + .5 * std::copysign(beyond, more);
+    }
+
     /** A mean over nodes, by the sizes of their weights; 0 at those without. */
     double
     mean_of(const std::map<unsigned int, double>               &values,
@@ -151,7 +167,6 @@ namespace conetact::pairing
     return mean_of(curvatures, nodes);
   }
 
-  /* Hollows are followed where what touches them is bent much more. */
   double
   part_of_normal(const BentSide &own, const BentSide &other)
   {
@@ -159,10 +174,7 @@ namespace conetact::pairing
     const auto       power  = [](const double angle) {
       return std::pow(angle / little, 4);
     };
-    const double sum = own.curvature + other.curvature;
-    const bool   fit = std::min(own.curvature, other.curvature) < -.5 * sum;
-    const double by_curvature =
-      sum <= 0 || fit ? .5 : std::clamp(other.curvature / sum, 0., 1.);
+    const double by_curvature = part_by_curvature(own, other);
     return (power(other.edge) + 2 * by_curvature) /
            (power(own.edge) + power(other.edge) + 2);
   }

@@ -21,14 +21,14 @@ namespace conetact::pairing
 
   /** Finds the master's faces before or behind a slave face whose shadows in
    * its plane overlap it; which one hides which is left to seen_from(). */
-  std::vector<FacingParts::Candidate>
+  std::vector<FacingParts::Part>
   FacingParts::candidates(const FaceNet::Face         &slave,
                           const ProjectionPlane       &plane,
                           const ProjectedFace         &projected,
                           const MasterSurface::Limits &limits) const
   {
-    std::vector<Candidate> found;
-    const double           whole_area = measure(projected.outline());
+    std::vector<Part> found;
+    const double      whole_area = measure(projected.outline());
     for (const std::size_t f : master.net().places().along(
            {slave.centre, slave.radius}, slave.outward, limits.reach))
       {
@@ -54,7 +54,7 @@ namespace conetact::pairing
         if (std::abs(gap) <= limits.reach &&
             master.may_be_behind(
               p, gap, face, std::max(slave.size, face.size), limits))
-          found.push_back({{f, other, std::move(where)}, gap});
+          found.push_back({f, other, std::move(where), gap});
       }
     return found;
   }
@@ -68,7 +68,7 @@ namespace conetact::pairing
     auto found = candidates(slave, plane, projected, limits);
     std::stable_sort(found.begin(),
                      found.end(),
-                     [](const Candidate &a, const Candidate &b) {
+                     [](const Part &a, const Part &b) {
                        return std::abs(a.gap) < std::abs(b.gap);
                      });
     // Outlines of bent faces leave slivers between them, through which the far
@@ -77,20 +77,21 @@ namespace conetact::pairing
     if (!found.empty() && std::abs(found.front().gap) <= slave.size)
       found.erase(std::remove_if(found.begin(),
                                  found.end(),
-                                 [&](const Candidate &c) {
+                                 [&](const Part &c) {
                                    return c.gap < -slave.size;
                                  }),
                   found.end());
     std::vector<Part> parts;
     for (std::size_t c = 0; c < found.size(); ++c)
       {
-        const Part          &part = found[c].part;
+        const Part          &part = found[c];
         std::vector<Polygon> left = {part.where};
         // Whole outlines are taken away: clipped ones have edges of no length.
         for (std::size_t nearer = 0; nearer < c && !left.empty(); ++nearer)
-          left = without(left, found[nearer].part.projected.outline());
+          left = without(left, found[nearer].projected.outline());
         for (Polygon &piece : left)
-          parts.push_back({part.face, part.projected, std::move(piece)});
+          parts.push_back(
+            {part.face, part.projected, std::move(piece), part.gap});
       }
     return parts;
   }

@@ -5,17 +5,18 @@
 
 #include "conetact/pairing/corner_parts.h"
 #include "conetact/pairing/dual_functions.h"
-#include "conetact/pairing/facing_parts.h"
+#include "conetact/pairing/face_integrals.h"
 #include "conetact/pairing/master_normals.h"
 #include "conetact/pairing/mortar_rows.h"
-#include "conetact/pairing/nodal_shapes.h"
 #include "conetact/pairing/node_to_face.h"
+#include "conetact/pairing/steps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace conetact::pairing
 {
@@ -46,70 +47,10 @@ namespace conetact::pairing
      */
     constexpr double beyond_seen = .01;
 
-    /** Integrals over the parts of one slave face that see the master, with its
-     * shape functions N_k. */
-    struct FaceIntegrals
-    {
-      Eigen::MatrixXd                         linear;  ///< linear_functions()
-      Eigen::MatrixXd                         mass;    ///< N_k N_i
-      Eigen::VectorXd                         areas;   ///< N_k
-      std::map<unsigned int, Eigen::VectorXd> masters; ///< N_k N_l
-      /** N_k times outward normals of either side, where it is bent. */
-      Eigen::MatrixX3d  slave_normals, master_normals;
-      std::vector<bool> facing;   ///< whether its nodes are over the master
-      double            part = 0; ///< of the face, that sees it
-      double            size = 0;
-      double lowest = std::numeric_limits<double>::max(); ///< gap [length]
-    };
-
-    /**
-     * The radius r at a point of a face of a body that goes round an axis:
-     * areas there are integrals of r ds, without the factor 2 pi, which
-     * thickness_of() gives.
-     */
-    double
-    radius(const FaceNet::Face &face, const Eigen::Vector4d &shape)
-    {
-      double r = 0;
-      for (std::size_t v = 0; v < face.corners.size(); ++v)
-        r += shape[static_cast<Index>(v)] * face.corners[v][0];
-      return r;
-    }
-
-    /**
-     * Shape functions of skew faces are series in their skewness s, with
-     * polynomials of degree k + 2 at s^k: at these bounds what is cut off is
-     * below 1e-10. Products of two functions of second degree have up to degree
-     * 8 even on parallelograms, where level 0 is exact to degree 5 only: they
-     * need one level more.
-     */
-    unsigned int
-    level_for(const double skewness, const bool second_degree)
-    {
-      const unsigned int level = skewness < 3e-4 ? 0 :
-                                 skewness < .05  ? 1 :
-                                 skewness < .4   ? 2 :
-                                                   3;
-      return level + second_degree;
-    }
-
-    Eigen::RowVector3d
-    in_space(const ProjectionPlane &plane, const Eigen::RowVector3d &v)
-    {
-      const Tensor<1, 3> there = plane.in_space(v.transpose());
-      return {there[0], there[1], there[2]};
-    }
-
     Tensor<1, 3>
     to_tensor(const Eigen::RowVector3d &v)
     {
       return Tensor<1, 3>({v[0], v[1], v[2]});
-    }
-
-    bool
-    is_of_second_degree(const FaceNet::Face &face)
-    {
-      return face.nodes.size() > face.corners.size();
     }
 
     /**
@@ -154,8 +95,9 @@ namespace conetact::pairing
         , thickness(
             thickness_of(one_by_one.slave_surface(), slave.all(), axisymmetric))
       {
+        SeenParts parts = look_around();
         for (std::size_t f = 0; f < slave.all().size(); ++f)
-          meet(f);
+          meet(f, std::exchange(parts[f], {}));
         if (!at_rims.empty())
           rows.keep_upright(*structures[contact.body]);
         for (const auto &[f, sums] : at_rims)
@@ -221,98 +163,53 @@ namespace conetact::pairing
                 contact.body != contact.master};
       }
 
-      /**
-       * Integrates over the segments that a slave face and the master have in
-       * common. Points correspond along the normal of the slave face, in whose
-       * plane faces are clipped; `stretch` is dA on the slave over dA in the
-       * plane.
-       */
-      FaceIntegrals
-      integrate(const FaceNet::Face &face) const
+      /** What slave faces see of the master, but for steps behind it. */
+      SeenParts
+      look_around() const
       {
-        const ProjectionPlane plane(face.centre,
-                                    face.outward,
-                                    face.corners.size() == 2);
-        const ProjectedFace   own(face, plane);
-        const auto            n     = static_cast<Index>(face.nodes.size());
-        const double          whole = measure(own.outline());
-        FaceIntegrals         sums{linear_functions(face),
-                           Eigen::MatrixXd::Zero(n, n),
-                           Eigen::VectorXd::Zero(n),
-                           {},
-                           Eigen::MatrixX3d::Zero(n, 3),
-                           Eigen::MatrixX3d::Zero(n, 3),
-                           std::vector<bool>(face.n_functions, false)};
-        for (const auto &part :
-             facing.seen_from(face, plane, own, limits(face.size)))
+        SeenParts parts;
+        for (const FaceNet::Face &face : slave.all())
           {
-            // One set of points for both sides: so forces and a constant
-            // pressure pass without loss whatever the rule.
-            const FaceNet::Face &other = facing.faces()[part.face];
-            const unsigned int   level =
-              level_for(std::max(own.skewness(), part.projected.skewness()),
-                        is_of_second_degree(face) ||
-                          is_of_second_degree(other));
-            sums.size = std::max(sums.size, other.size);
-            sums.part += measure(part.where) / whole;
-            note_facing(face, plane, part.where, sums.facing);
-            for (const PlanePoint &q : gauss_points(part.where, level))
-              {
-                const auto            here = own.at(q.position);
-                const Eigen::VectorXd N    = nodal_shapes(face, here);
-                const double          around =
-                  axisymmetric ? radius(face, here.shape) : 1;
-                const Eigen::VectorXd weighted =
-                  q.weight * here.stretch * around * N;
-                sums.areas += weighted;
-                sums.mass += weighted * N.transpose();
-                const auto opposite         = part.projected.over(here.place);
-                const Eigen::VectorXd there = nodal_shapes(other, opposite);
-                sums.slave_normals += weighted * here.normal.transpose();
-                // Normals of what is seen are on the side of the plane's
-                // normal, which looks out of the slave: those out of the master
-                // are opposite.
-                sums.master_normals -= weighted * opposite.normal.transpose();
-                sums.lowest =
-                  std::min(sums.lowest, opposite.height - here.height);
-                for (std::size_t l = 0; l < other.nodes.size(); ++l)
-                  sums.masters
-                    .try_emplace(other.nodes[l], Eigen::VectorXd::Zero(n))
-                    .first->second += there[static_cast<Index>(l)] * weighted;
-              }
+            const ProjectionPlane plane = plane_of(face);
+            parts.push_back(facing.seen_from(
+              face, plane, ProjectedFace(face, plane), limits(face.size)));
           }
-        for (Eigen::MatrixX3d *const of_side :
-             {&sums.slave_normals, &sums.master_normals})
-          for (Index j = 0; j < n; ++j)
-            of_side->row(j) = in_space(plane, of_side->row(j));
-        return sums;
+        leave_out_steps(slave.all(), facing.faces(), parts);
+        return parts;
       }
 
-      /** Notes which nodes of a face are over a part of it that is seen. */
-      void
-      note_facing(const FaceNet::Face   &face,
-                  const ProjectionPlane &plane,
-                  const Polygon         &where,
-                  std::vector<bool>     &are) const
+      /** Which nodes of a face are over a part of it that is seen. */
+      std::vector<bool>
+      facing_nodes(const FaceNet::Face                  &face,
+                   const std::vector<FacingParts::Part> &parts) const
       {
+        const ProjectionPlane plane = plane_of(face);
+        std::vector<bool>     are;
         for (std::size_t c = 0; c < face.n_functions; ++c)
-          if (!are[c])
-            are[c] = distance(where,
-                              plane.project(structures[contact.body]->position(
-                                face.nodes[c]))) <=
-                     face.size * (faced.count(face.nodes[c]) > 0 ?
-                                    face_overhang_of_faced :
-                                    face_overhang);
+          {
+            const double beyond = face.size * (faced.count(face.nodes[c]) > 0 ?
+                                                 face_overhang_of_faced :
+                                                 face_overhang);
+            const Point<2> place =
+              plane.project(structures[contact.body]->position(face.nodes[c]));
+            are.push_back(std::any_of(
+              parts.begin(), parts.end(), [&](const FacingParts::Part &part) {
+                return distance(part.where, place) <= beyond;
+              }));
+          }
+        return are;
       }
 
       /** Faces that reach beyond a rim wait until it is known which of their
        * nodes face the master. */
       void
-      meet(const std::size_t f)
+      meet(const std::size_t f, const std::vector<FacingParts::Part> &parts)
       {
-        const FaceNet::Face &face   = slave.all()[f];
-        FaceIntegrals        sums   = integrate(face);
-        const double         around = axisymmetric ? face.centre[0] : 1;
+        const FaceNet::Face &face = slave.all()[f];
+        FaceIntegrals        sums =
+          integrate(face, parts, facing.faces(), axisymmetric);
+        sums.facing         = facing_nodes(face, parts);
+        const double around = axisymmetric ? face.centre[0] : 1;
         if (!(sums.areas.sum() >
               around * least_covered *
                 std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))

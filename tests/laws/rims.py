@@ -58,6 +58,31 @@ def rims(laws):
                          for fit in (False, True))
         laws.check(f"  largest pressure {found:.4g} instead of {fitted:.4g}: factor", max(found / fitted, fitted / found), 1.5)
     small_masters(laws)
+    feet(laws)
+
+
+def feet(laws):
+    """A block with a foot and an overhang beside it: what is a step behind the foot takes no part in means over it."""
+    for dim, cells in itertools.product((2, 3), (7, 16)):
+        turned = 180.0 if dim == 2 else (1.0, 0.0, 0.0, 180.0)
+        up = "xyz"[dim - 1]
+        block = {"Mesh": {"Generator": "hyper_L", "Arguments": "-1 : 1 : false", "Rotation": turned, "Global refinements": 2,
+                          "Boundary ids": f"7: {up} < -0.999 ; 8: {up} > 0.999"},
+                 "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}}
+        cells = cells if dim == 2 else cells - 4
+        table = box((cells,) * (dim - 1) + (2,), (3.0,) * (dim - 1) + (1.0,), (-1.5,) * (dim - 1) + (-2.0,))
+        scene = {"Dimension": dim, "Body block": block, "Body table": table,
+                 "Contact joint": joint("table", 2 * dim - 1, "block", "0, 7", **{"Friction coefficient": .3}),
+                 "Support floor": support(2 * dim - 2, ", ".join("xyz"[:dim]), body="table"),
+                 "Load press": load("traction", " ; ".join(["0.1*t"] * (dim - 1) + ["-1*t"]), 8, "block"), "Output": {"VTU": 0}}
+        whole = laws.run(scene)
+        foot = laws.run(merge(scene, {"Contact joint": {"Master boundary ids": 7}}))
+        pressed = [{(row["x"], row["y"], row["z"]): row["r_n"] for row in run.last() if row["contact"] == "joint"} for run in (whole, foot)]
+        size = max(pressed[1].values())
+        laws.check(f"{dim}D, {cells} cells: as with the foot alone",
+                   max(abs(r - pressed[1].get(place, 0)) for place, r in pressed[0].items()) / size, 1e-9)
+        laws.check("  moments of both sides", max(abs(whole.increments[-1][f"joint_m_{c}"] + whole.increments[-1][f"joint_master_m_{c}"])
+                                                  for c in "xyz") / size, 1e-9)
 
 
 def small_masters(laws):

@@ -34,6 +34,7 @@ namespace conetact::pairing
       std::size_t   face; ///< of the master
       ProjectedFace projected;
       Polygon       where; ///< in the plane
+      double        gap;   ///< at the middle of what overlaps [length]
     };
     /** Parts that do not overlap, the nearest first. */
     std::vector<Part>
@@ -43,12 +44,8 @@ namespace conetact::pairing
               const MasterSurface::Limits &limits) const;
 
   private:
-    struct Candidate
-    {
-      Part   part;
-      double gap; ///< at its middle [length]
-    };
-    std::vector<Candidate>
+    /** Parts that may hide one another. */
+    std::vector<Part>
                          candidates(const FaceNet::Face         &slave,
                                     const ProjectionPlane       &plane,
                                     const ProjectedFace         &projected,
