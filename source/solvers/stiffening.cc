@@ -112,7 +112,8 @@ namespace conetact::solvers
     const double   softest = 1e6 * softer;
     state.node.clear();
     for (unsigned int step = 0;
-         step < most_steps && !(options.stop && options.stop());
+         step < most_steps && report.iterations < most_solves &&
+         !(options.stop && options.stop());
          ++step)
       {
         part.system             = softened(*system, softer, friction);
