@@ -471,11 +471,16 @@ namespace conetact::solvers
         report.residual = contact_residual(problem, state);
         return report;
       }
-    SolverReport parts = solve_in_parts(problem, state);
+    // Of what fast parts have not begun with, the slow ones try the same.
+    SolverReport parts;
+    if (fast.report.substeps > 0)
+      parts = solve_in_parts(problem, state);
+    else
+      parts.reason = fast.report.reason;
     add_work(parts, report);
     if (parts.converged || is_stopped(options))
       return parts;
-    // Smoothing needs no polish where states that share a force cannot settle.
+    // It needs no polish where states that share a force cannot settle.
     SolverReport smoothed =
       make_smoothing_newton(options)->solve(problem, alone);
     if (!smoothed.converged)
