@@ -66,16 +66,40 @@ namespace conetact::analysis
       return std::make_unique<solvers::LargeNewton>(whole);
     }
 
+    /**
+     * The row of an Elasticity that the scene asks for, and why. What cannot be
+     * iterated is condensed, as far as memory goes: a sentence says so.
+     */
+    std::pair<std::string, std::string>
+    asked_for(const application::Scene    &scene,
+              const contact::ContactModel &model,
+              Log                         &log)
+    {
+      const contact::ElasticityRow &iterative = contact::iterative_row();
+      const char *const             condensed = contact::condensed_row().name;
+      if (scene.backend != application::Backend::iterative)
+        return {condensed, "the scene asks for it"};
+      const std::string why = iterative.why_not(model);
+      if (why.empty())
+        return {iterative.name, "the scene asks for it"};
+      bool fits = fits_condensed(model, scene.times.size(), scene.n_drawings());
+      first_decides(fits);
+      if (!fits)
+        throw InputError("Solver, Backend = iterative " + why +
+                         ". Condensed bodies, which know it, take more memory "
+                         "than this machine has: use coarser meshes.");
+      log.say("Solver, Backend = iterative " + why + ". Bodies are condensed.");
+      return {condensed, "the iterative one does not know all of the scene"};
+    }
+
     /** The row of an Elasticity, and why. */
     std::pair<std::string, std::string>
     name_and_reason(const application::Scene    &scene,
-                    const contact::ContactModel &model)
+                    const contact::ContactModel &model,
+                    Log                         &log)
     {
       if (scene.backend != application::Backend::automatic)
-        return {scene.backend == application::Backend::iterative ?
-                  contact::iterative_row().name :
-                  contact::condensed_row().name,
-                "the scene asks for it"};
+        return asked_for(scene, model, log);
       if (scene.restart)
         return {scene.restart->state.get_text("backend"),
                 "as in the run that is continued"};
@@ -122,7 +146,7 @@ namespace conetact::analysis
                  const contact::ContactModel &model,
                  Log                         &log)
   {
-    const auto  choice = name_and_reason(scene, model);
+    const auto  choice = name_and_reason(scene, model, log);
     const auto &table  = backend_table();
     const auto  row =
       std::find_if(table.begin(), table.end(), [&](const Backend &backend) {

@@ -269,6 +269,15 @@ namespace conetact::analysis
              describe_motion(*found, run.model, *increment.mechanical) +
              ", as fluids press it. Apply less pressure, or more load against "
              "it";
+    // From nothing on shares of a load are like all of it.
+    constexpr double none = 1e-4; // a share that would be told as that
+    if (found->fraction < none &&
+        load_at_start(problem, increment.before).isZero(0))
+      return "no equilibrium was found, not even under the smallest part of "
+             "this increment's load, with which " +
+             describe_motion(*found, run.model, *increment.mechanical) +
+             ". Less of the same load does not help: hold this motion by more "
+             "friction, by supports or by other loads";
     const Eigen::VectorXd last =
       increment.end.r.head(problem.system->n_contact_unknowns());
     return "no equilibrium exists, " +

@@ -11,7 +11,7 @@
 #include "conetact/solvers/unloaded.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace conetact::solvers
 {
@@ -192,8 +192,9 @@ namespace conetact::solvers
       eliminated.emplace(problem.system);
     if (!eliminated->exists())
       return false;
-    ContactState       own = eliminated->eliminate(state);
-    Automatic          inner(options);
+    ContactState own = eliminated->eliminate(state);
+    Automatic    inner(options);
+    inner.most_solves = most_solves - std::min(most_solves, report.iterations);
     const SolverReport found =
       inner.solve_whole(eliminated->eliminate(problem), own, thorough);
     add_work(report, found);
@@ -240,8 +241,10 @@ namespace conetact::solvers
   {
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
-    const auto go_on = [&] { return !is_stopped(options); };
-    bool       solved =
+    const auto go_on = [&] {
+      return !is_stopped(options) && report.iterations < most_solves;
+    };
+    bool solved =
       eliminate_motions(problem, state, thorough, report) ||
       (go_on() && move_out(problem, state, report)) ||
       (go_on() && stiffen(problem, state, report)) ||
@@ -305,8 +308,7 @@ namespace conetact::solvers
   Automatic::solve_in_fast_parts(const ContactProblem &problem,
                                  ContactState         &state)
   {
-    // What takes many steps is found in smaller parts, or not at all.
-    SolverOptions few  = options;
+    SolverOptions few  = options; // steps: more are found in smaller parts
     few.max_iterations = std::min(few.max_iterations, 30U);
     ActiveSet quick(few);
     LoadParts parts   = parts_of(problem, state);
@@ -326,6 +328,7 @@ namespace conetact::solvers
   bool
   Automatic::ends_at_once(const ContactProblem &problem,
                           ContactState         &state,
+                          FastParts            &fast,
                           SolverReport         &report)
   {
     if (options.ends_early && options.ends_early())
@@ -333,13 +336,37 @@ namespace conetact::solvers
     if (!options.is_limit || options.max_substeps < 2 ||
         problem.system->null_space.cols() == 0)
       return false;
-    ContactState       last  = state;
-    const SolverReport parts = solve_in_fast_parts(problem, last);
-    add_work(report, parts);
-    if (parts.converged || !options.is_limit(last, next_to_limit))
+    fast.last   = state;
+    fast.report = solve_in_fast_parts(problem, fast.last);
+    add_work(report, fast.report);
+    if (fast.report.converged || !options.is_limit(fast.last, next_to_limit))
       return false;
-    state         = last;
-    report.reason = parts.reason;
+    state         = fast.last;
+    report.reason = fast.report.reason;
+    return true;
+  }
+
+
+
+  /* Where parts lead to the end, that of the whole may be far: rollers on
+     contacts of a node or two have some that thousands of solves find. */
+  bool
+  Automatic::solve_slowly_or_in_parts(const ContactProblem &problem,
+                                      const FastParts      &fast,
+                                      ContactState         &state,
+                                      SolverReport         &report)
+  {
+    constexpr unsigned int enough = 200; // solves
+    if (fast.report.converged)
+      most_solves = report.iterations + enough;
+    solve_slowly(problem, state, true, report);
+    most_solves = any_number;
+    if (report.converged || !fast.report.converged || is_stopped(options))
+      return false;
+    const SolverReport all = std::exchange(report, fast.report);
+    report.iterations      = all.iterations;
+    report.factorizations  = all.factorizations;
+    state                  = fast.last;
     return true;
   }
 
@@ -413,12 +440,13 @@ namespace conetact::solvers
       }
 
     ContactState shortest = state, alone = state;
+    FastParts    fast;
     SolverReport report = solve_fast(problem, state);
-    if (!report.converged && ends_at_once(problem, state, report))
-      return report;
-    if (!report.converged)
-      solve_slowly(problem, state, true, report);
     add_work(report, first);
+    if (!report.converged &&
+        (ends_at_once(problem, state, fast, report) ||
+         solve_slowly_or_in_parts(problem, fast, state, report)))
+      return report;
     if (!report.converged && is_stopped(options))
       return report;
     if (redundant && !report.converged)
@@ -443,11 +471,16 @@ namespace conetact::solvers
         report.residual = contact_residual(problem, state);
         return report;
       }
-    SolverReport parts = solve_in_parts(problem, state);
+    // Of what fast parts have not begun with, the slow ones try the same.
+    SolverReport parts;
+    if (fast.report.substeps > 0)
+      parts = solve_in_parts(problem, state);
+    else
+      parts.reason = fast.report.reason;
     add_work(parts, report);
     if (parts.converged || is_stopped(options))
       return parts;
-    // Smoothing needs no polish where states that share a force cannot settle.
+    // It needs no polish where states that share a force cannot settle.
     SolverReport smoothed =
       make_smoothing_newton(options)->solve(problem, alone);
     if (!smoothed.converged)

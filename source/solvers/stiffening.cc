@@ -102,9 +102,11 @@ namespace conetact::solvers
   {
     constexpr unsigned int most_steps = 200;
     constexpr double       least_step = 1.001;
+    constexpr unsigned int enough     = 40; // a shorter step takes fewer
 
     SolverOptions loose   = options;
     loose.tolerance       = std::max(1e-6, options.tolerance);
+    loose.max_iterations  = std::min(loose.max_iterations, enough);
     ContactProblem part   = with_coefficients_of(state, problem);
     const auto     system = part.system;
     const auto     start  = state.v;
@@ -112,7 +114,8 @@ namespace conetact::solvers
     const double   softest = 1e6 * softer;
     state.node.clear();
     for (unsigned int step = 0;
-         step < most_steps && !(options.stop && options.stop());
+         step < most_steps && report.iterations < most_solves &&
+         !(options.stop && options.stop());
          ++step)
       {
         part.system             = softened(*system, softer, friction);

@@ -99,7 +99,57 @@ def refusals(laws):
                     and all(done.returncode == 2 and len(ours(done.stderr)) == 1 for done, _ in ends))
 
 
+def disc(radius, centre, element="Q1", refinements=2):
+    return {"Mesh": {"Generator": "hyper_ball_balanced", "Arguments": f"0, 0 : {radius}", "Global refinements": refinements,
+                     "Translation": centre},
+            "Material": {"Young modulus": 1e4, "Poisson ratio": .3}, "Element": element}
+
+
+def pyramid():
+    """Two discs between walls carry a third one; some nodes are slaves of one disc and masters of another."""
+    places = (("a", (.5, .5)), ("b", (1.5, .5)), ("c", (1, .5 + .75**.5)))
+    friction = {"Friction coefficient": .3, "Gap": "adjust"}
+    scene = {"Dimension": 2, **{f"Body {name}": disc(.5, centre, refinements=1) for name, centre in places},
+             "Obstacle floor": floor(2), "Obstacle left": {"Normal": (1, 0)}, "Obstacle right": {"Normal": (-1, 0), "Point": (2, 0)}}
+    for name, body, obstacle in (("al", "a", "left"), ("af", "a", "floor"), ("br", "b", "right"), ("bf", "b", "floor")):
+        scene[f"Contact {name}"] = contact(body, 0, obstacle, **friction)
+    for slave, master in ("ba", "ac", "bc"):
+        scene[f"Contact {slave}{master}"] = {"Body": slave, "Boundary ids": 0, "Master body": master, "Master boundary ids": 0, **friction}
+    return {**scene, **{f"Load w{body}": load("body force", "0 ; -t", None, body) for body in "abc"}, "Output": {"VTU": 0}}
+
+
+def in_bowl():
+    """Second degree on a round obstacle: pressures are means of neighbours that meet something, too."""
+    return {"Dimension": 2, "Body disc": disc(1, (0, 0), "Q2"),
+            "Obstacle bowl": {"Shape": "sphere", "Side": "inside", "Center": (0, .5), "Radius": 1.5},
+            "Contact rim": contact("disc", 0, "bowl", .3), "Load w": load("body force", "0 ; -t", None, "disc"), "Output": {"VTU": 0}}
+
+
+def blocks():
+    """A block on a floor, and what becomes of it."""
+    block = {"Dimension": 2, "Body block": box((4, 2), (2.0, 1.0)), "Obstacle floor": floor(2), "Contact bottom": contact(mu=.3),
+             "Support top": support(3, "x, y", "0 ; -0.01"), "Output": {"VTU": 0}}
+    side = {**block, "Contact bottom": {**contact(), "Kind": "bilateral"},
+            "Obstacle wall": {"Normal": (1, 0)}, "Contact side": {**contact(ids=0, obstacle="wall"), "Kind": "bilateral"}}
+    tie = {**block, "Contact bottom": {"Body": "block", "Boundary ids": 2, "Obstacle": "floor", "Kind": "tie"},
+           "Support side": support(0, "(1, 2)"), "Support top": support(3, "x, y", "0 ; 0")}
+    moved = {**block, "Obstacle floor": floor(2, Free="y", Force="0 ; 1", Displacement="0.1*t ; 0")}
+    dragged = {**block, "Support side": support(2, "x", "0.01*t")}
+    return {"is in several": side, "that supports hold askew": tie, "is rigid and free, and moved as well": moved,
+            "no friction along what supports hold": dragged}
+
+
+def condensed_at_once(laws):
+    """What the iterative backend does not know is condensed from the start: a sentence says why, tables are the same."""
+    for why, scene in {"does both, in two contacts": pyramid(), "knows means over nodes": in_bowl(), **blocks()}.items():
+        condensed, other = (laws.run(scene, *changed(f"Solver/Backend={name}")) for name in ("condensed", "iterative"))
+        laws.same(why, condensed, other, 1e-9)
+        said = [line for line in (other.folder / "log.txt").read_text().splitlines() if "Backend = iterative" in line]
+        laws.demand(f"  {said}", len(said) == 1 and why in said[0] and said[0].endswith(". Bodies are condensed."))
+
+
 def backends(laws):
+    condensed_at_once(laws)
     shipped(laws)
     refusals(laws)
 

@@ -237,7 +237,27 @@ def pushed_askew(laws):
     laws.demand("  .999 does not", "no equilibrium exists" in told(laws, scene(.999 * least[0])))
 
 
+def braked_rollers(laws):
+    """A plate on two rollers whose brakes use up friction, pulled by a tenth more than they hold: no share of the load is carried,
+    as the brakes are a part of it, and none is told."""
+    mu, weight, radius = .2, 4.0, 4.0
+    scene = {"Dimension": 2, "Body plate": box((40, 4), (32.0, 2.0), young=500.0), "Output": {"VTU": 0},
+             "Load weight": load("pressure", f"{weight / 32!r}*t", 3, "plate"),
+             "Load pull": load("force", f"{1.1 * mu * weight!r}*t ; 0", 1, "plate")}
+    for name, x in (("left", 8.0), ("right", 24.0)):
+        centre = (x, -radius)
+        scene[f"Obstacle {name}"] = {"Shape": "sphere", "Center": centre, "Radius": radius, "Free": "rz", "Reference point": centre,
+                                     "Moment": f"{mu * weight / 2 * radius!r}*t"}
+        scene[f"Contact {name}"] = contact("plate", 2, name, mu)
+    done, folder = laws.start(scene)
+    laws.demand(done.stderr.strip(), done.returncode == 2 and "not even under the smallest part" in done.stderr
+                and "turns about (0, 0, 1)" in done.stderr and "can carry" not in done.stderr and "Apply less load" not in done.stderr)
+    solves = int(re.search(r"(\d+) linear solves of contact", (folder / "log.txt").read_text())[1])
+    laws.check("  solves", solves, 3800)
+
+
 def limits(laws):
+    braked_rollers(laws)
     pushed_askew(laws)
     press_fits(laws)
     released(laws)

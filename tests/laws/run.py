@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, grooves, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings, swings, vees,  # noqa: E402
+from laws import (automatic, axisymmetric, backends, balance, bearings, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, grooves, held_joints, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, jams, scene_pictures, couplings, swings, vees,  # noqa: E402
                   round_pairs, sliding, spins, spreading, stages,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
@@ -31,7 +31,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating,
             "iterative-frames": iterative.iterative_frames, "iterative-sliding": iterative_sliding.iterative_sliding, "restart": restart.restart,
             "backends": backends.backends, "backends-shared": backends.backends_shared, "sliding": sliding.sliding, "kinematics": kinematics.kinematics, "far-turns": far_turns.far_turns, "far-ties": far_ties.far_ties,
-            "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "passing": passing.passing, "rolling": rolling.rolling, "round-plane": round_pairs.plane, "round-orders": round_pairs.orders_of_plane, "round-space": round_pairs.space,
+            "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "passing": passing.passing, "rolling": rolling.rolling, "bearings": bearings.bearings, "round-plane": round_pairs.plane, "round-orders": round_pairs.orders_of_plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings,

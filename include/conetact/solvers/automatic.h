@@ -28,8 +28,10 @@ namespace conetact::solvers
    * @f$b_0 = v_0 - W r_0@f$). Parts change the answer of an incremental law, so
    * they are the last resort and the report counts them. Of bodies that float
    * parts tell first whether there is a limit, beyond which no method is of
-   * use. They also tell what the increment comes to where its end as a whole is
-   * doubtful: loose where a jam goes on, or far away beyond a limit.
+   * use; where they lead to the end, slower methods may take some hundred
+   * solves to find that of the whole. They also tell what the increment comes
+   * to where its end as a whole is doubtful: loose where a jam goes on, or far
+   * away beyond a limit.
    */
   class Automatic : public ContactSolver
   {
@@ -54,11 +56,25 @@ namespace conetact::solvers
                  ContactState         &state,
                  const bool            thorough,
                  SolverReport         &report);
+    /** What the fast method comes to in parts. */
+    struct FastParts
+    {
+      SolverReport report; ///< substeps 0: not even the smallest part is solved
+      ContactState last;
+    };
     /** Whether the caller wants no other method, or none is of use. */
     bool
     ends_at_once(const ContactProblem &problem,
                  ContactState         &state,
+                 FastParts            &fast,
                  SolverReport         &report);
+    /** By other methods, as long as it pays; true if the fast parts are what is
+     * left. */
+    bool
+    solve_slowly_or_in_parts(const ContactProblem &problem,
+                             const FastParts      &fast,
+                             ContactState         &state,
+                             SolverReport         &report);
 
     /** Follows the increment in parts where its end is doubtful. Of a limit
      * that is reached on the way it makes a failure. */
@@ -134,6 +150,7 @@ namespace conetact::solvers
 
     SolverOptions                 options;
     ActiveSet                     active_set;
+    unsigned int                  most_solves = any_number; ///< of slow methods
     std::optional<LinearRelation> relation;
     /** Stiffness form of the system solved last, if it was needed. */
     std::optional<StiffnessForm> eliminated;
