@@ -45,6 +45,26 @@ namespace conetact::analysis
     return any;
   }
 
+  /* What a bore or a clamp encloses touches all round, what rolls does so along
+     one normal. */
+  bool
+  SmallKinematics::encloses(const PendingIncrement &increment,
+                            const unsigned int      contact) const
+  {
+    constexpr double along_one = .9; // of the length of a mean unit normal
+    Tensor<1, 3>     sum;
+    unsigned int     n = 0;
+    for (std::size_t i = 0; i < model.points.size(); ++i)
+      if (const pairing::ContactNode &node = *model.points[i].node;
+          node.contact == contact &&
+          increment.state.node[i] != solvers::NodeState::open)
+        {
+          sum += node.n;
+          ++n;
+        }
+    return sum.norm() < along_one * n;
+  }
+
   bool
   SmallKinematics::is_free(const unsigned int body) const
   {
@@ -70,7 +90,8 @@ namespace conetact::analysis
     const auto is_loose = [&](const pairing::ContactNode &node) {
       if (loose.count(node.contact) == 0)
         loose[node.contact] = (is_free(node.body) || is_free(node.master)) &&
-                              all_slips(end.increment, node.contact);
+                              all_slips(end.increment, node.contact) &&
+                              encloses(end.increment, node.contact);
       return loose[node.contact];
     };
     for (std::size_t i = 0; i < model.points.size(); ++i)

@@ -77,20 +77,20 @@ namespace conetact::pairing
       return largest;
     }
 
-    /** Hollows are followed where what touches them is bent much more. What
-     * two equal surfaces differ by is their meshes. */
+    /** Which part the normal of a side has by how much both are bent: a side
+     * that is flat beside the other one has all of it. */
     double
-    part_by_curvature(const BentSide &own, const BentSide &other)
+    part_by_curvature(const double own, const double other)
     {
-      constexpr double of_meshes = .05;
-      const double     sum       = own.curvature + other.curvature;
-      if (sum <= 0 || std::min(own.curvature, other.curvature) < -.5 * sum)
+      constexpr double flat = .05, bent = .2; // over the other curvature
+      const double     less = std::min(std::abs(own), std::abs(other)),
+                   more     = std::max(std::abs(own), std::abs(other));
+      const bool is_flat    = std::abs(own) < std::abs(other);
+      if (more == 0 || (is_flat ? other : own) < 0) // both are, or a hollow
         return .5;
-      const double more =
-        std::clamp((other.curvature - own.curvature) / sum, -1., 1.);
-      const double beyond =
-        std::max(0., std::abs(more) - of_meshes) / (1 - of_meshes);
-      return .5 + .5 * std::copysign(beyond, more);
+      const double part =
+        .5 * std::clamp((bent - less / more) / (bent - flat), 0., 1.);
+      return is_flat ? .5 + part : .5 - part;
     }
 
     /** A mean over nodes, by the sizes of their weights; 0 at those without. */
@@ -174,7 +174,8 @@ namespace conetact::pairing
     const auto       power  = [](const double angle) {
       return std::pow(angle / little, 4);
     };
-    const double by_curvature = part_by_curvature(own, other);
+    const double by_curvature =
+      part_by_curvature(own.curvature, other.curvature);
     return (power(other.edge) + 2 * by_curvature) /
            (power(own.edge) + power(other.edge) + 2);
   }

@@ -80,6 +80,10 @@ namespace conetact::analysis
     add_turned_springs(const IncrementEnd &end, Found &found) const;
     void
     add_rolled(const IncrementEnd &end, Found &found) const;
+    /** Whether a contact touches on sides that look in several directions. */
+    bool
+    encloses(const PendingIncrement &increment,
+             const unsigned int      contact) const;
     /** Whether a body has a motion that no support prescribes. */
     bool
     is_free(const unsigned int body) const;

@@ -49,10 +49,10 @@ namespace conetact::pairing
   };
 
   /**
-   * Which part the normal of the one side has in a normal between both. Where
-   * there are no edges: so much that the normal stays the same over the place
-   * where they touch, @f$\kappa_o / (\kappa + \kappa_o)@f$, as Hertz has it;
-   * half where neither is bent, or both fit into each other.
+   * Which part the normal of the one side has in a normal between both: none
+   * where it has an edge. That of a flat side counts alone where the other one
+   * is round, for it is the same all over the place where they touch; half of
+   * both is their normal there where they are bent alike.
    */
   double
   part_of_normal(const BentSide &own, const BentSide &other);
