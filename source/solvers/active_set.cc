@@ -7,6 +7,7 @@
 #include "conetact/solvers/without_fall.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -175,6 +176,59 @@ namespace conetact::solvers
 
 
 
+  /* Friction that sees a small part of slips grows gently. That part grows from
+     solution to solution, in steps that go by whether the last one led to one:
+     what is slow moves on between the stations, and none of its states jump. */
+  SolverReport
+  ActiveSet::solve_by_slower_slip(const ContactProblem &problem,
+                                  ContactState         &state)
+  {
+    constexpr unsigned int most = 300, few = 8;
+    constexpr double       least = 1e-8, smallest_step = 1.02;
+    double                 solved = 0, part = .1, ratio = 10;
+    const ContactState     start = state;
+    SolverReport           sum;
+    for (unsigned int i = 0; i < most && part >= least && ratio > smallest_step;
+         ++i)
+      {
+        const ContactProblem easier =
+          part < 1 ? with_slower_slip(problem, part) : problem;
+        ContactState next = solved > 0 ? state : start;
+        SolverReport report;
+        if (solved > 0)
+          {
+            system->take_own_slopes(true);
+            report = polish(easier, next, few);
+            system->take_own_slopes(false);
+          }
+        if (!report.converged)
+          {
+            next                      = solved > 0 ? state : start;
+            const SolverReport before = report;
+            report =
+              solved > 0 ? polish(easier, next, few) : solve_from(easier, next);
+            add_work(report, before);
+          }
+        add_work(report, sum);
+        sum = report;
+        if (report.converged)
+          {
+            state  = next;
+            solved = part;
+            ratio  = std::min(100., std::pow(ratio, 1.5));
+          }
+        else if (solved > 0)
+          ratio = std::sqrt(ratio);
+        if (solved == 1)
+          return sum;
+        part = solved > 0 ? std::min(1., solved * ratio) : .1 * part;
+      }
+    sum.converged = false;
+    return sum;
+  }
+
+
+
   SolverReport
   ActiveSet::unchanged(const ContactProblem &problem, ContactState &state) const
   {
@@ -214,6 +268,8 @@ namespace conetact::solvers
     try_from(start, &ActiveSet::solve_with_own_slopes);
     if (!report.converged)
       try_from(start, &ActiveSet::solve_without_fall);
+    if (!report.converged && grows_from_rest(problem))
+      try_from(start, &ActiveSet::solve_by_slower_slip);
   }
 
 

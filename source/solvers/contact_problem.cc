@@ -302,18 +302,9 @@ namespace conetact::solvers
     eigen_assert(x.size() == system.n_unknowns());
     if (system.n_unknowns() == 0) // which BLAS does not take
       return x;
-    // Half of what is symmetric is enough: all but the columns of motions.
-    const Index n = system.n_contact_unknowns(), k = system.n_motions;
-    VectorXd    y(n + k);
-    y.head(n).noalias() =
-      system.matrix.topLeftCorner(n, n).selfadjointView<Eigen::Lower>() *
-      x.head(n);
-    if (k > 0)
-      {
-        y.head(n).noalias() += system.matrix.topRightCorner(n, k) * x.tail(k);
-        y.tail(k).noalias() = system.matrix.bottomRows(k) * x;
-      }
-    return y;
+    if (system.form == Form::stiffness) // half of the matrix is enough
+      return system.matrix.selfadjointView<Eigen::Lower>() * x;
+    return system.matrix * x;
   }
 
   VectorXd

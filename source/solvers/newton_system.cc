@@ -176,7 +176,7 @@ namespace conetact::solvers
       }
 
     // Four rows are written for each node: those too many are overwritten. A
-    // column is rounded as a whole, which takes a third of the time.
+    // column is rounded as a whole, many numbers at once.
     J.resize(n, n);
     Eigen::Array<Number, Eigen::Dynamic, 1> column(n + 4);
     std::vector<Number> M(static_cast<std::size_t>(system.matrix.rows()));

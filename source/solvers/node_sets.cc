@@ -124,6 +124,15 @@ namespace conetact::solvers
         (seen.r - seen.v).head(nt).norm());
     }
 
+    /** Whether node i, pressed by s, has friction without slip: what has none
+     * never sticks. */
+    bool
+    holds_at_rest(const LinearRelation &relation, const Index i, const double s)
+    {
+      return relation.has_cones() ||
+             relation.limit(i, std::max(s, 0.), 0, 0).value > 0;
+    }
+
     /** So much of a short slip that z_t is well outside of the limit. */
     double
     weight_of_slip(const Seen &seen, const double limit)
@@ -305,13 +314,14 @@ namespace conetact::solvers
         if (set.is_lifted && !(limit > 0))
           continue;
         set.state = NodeState::stick;
-        if (nt == 0 || (norm <= limit && limit > 0))
+        if (nt == 0 ||
+            (norm <= limit && limit > 0 && holds_at_rest(relation, i, z(nt))))
           continue;
         set.state = NodeState::slip;
-        if (limit > 0)
+        if (limit > 0 && norm > 0)
           {
             set.direction = z.head(nt) / norm;
-            set.ratio     = limit / norm;
+            set.ratio     = std::min(1., limit / norm);
           }
       }
     return sets;
@@ -354,7 +364,9 @@ namespace conetact::solvers
                  is_stretched ? seen.forces() : r,
                  is_stretched ?
                    seen.along().cwiseQuotient(seen.scale.head(dim - 1)) :
-                   seen.along(),
+                 slip > 0 || limit.by_slip <= 0 ?
+                   seen.along() :
+                   SmallVector(-sets[at(i)].direction),
                  definite);
         if (is_stretched)
           see_stretched(seen.aspect,

@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/without_fall.h"
 
+#include "conetact/solvers/changed_laws.h"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -19,12 +21,10 @@ namespace conetact::solvers
      * present point does, f / s, if its own slope is less. Values stay those of
      * the laws, so that a residual of zero solves the problem itself.
      */
-    class WithoutFall : public NodalLaws
+    class WithoutFall : public ChangedLaws
     {
     public:
-      explicit WithoutFall(std::shared_ptr<const NodalLaws> l)
-        : laws(std::move(l))
-      {}
+      using ChangedLaws::ChangedLaws;
 
       FrictionLimit
       limit(const Index  node,
@@ -38,64 +38,40 @@ namespace conetact::solvers
         result.by_slip = std::max(result.by_slip, 0.);
         return result;
       }
+    };
+
+    /** The laws as they are at a part of slips. */
+    class SlowerSlip : public ChangedLaws
+    {
+    public:
+      SlowerSlip(std::shared_ptr<const NodalLaws> l, const double p)
+        : ChangedLaws(std::move(l))
+        , part(p)
+      {}
+
+      FrictionLimit
+      limit(const Index  node,
+            const double s,
+            const double slip,
+            const double gap) const override
+      {
+        FrictionLimit result = laws->limit(node, s, part * slip, gap);
+        result.by_slip *= part;
+        return result;
+      }
       Aspect
       aspect(const Index  node,
              const double s,
              const double slip,
              const double gap) const override
       {
-        return laws->aspect(node, s, slip, gap);
-      }
-      bool
-      has_ellipses() const override
-      {
-        return laws->has_ellipses();
-      }
-      Layer
-      layer(const Index  node,
-            const double r_n,
-            const double slip) const override
-      {
-        return laws->layer(node, r_n, slip);
-      }
-      bool
-      has_cones() const override
-      {
-        return false;
-      }
-      bool
-      has_layers() const override
-      {
-        return laws->has_layers();
-      }
-      Bond
-      bond(const Index node, const double slip, const double gap) const override
-      {
-        return laws->bond(node, slip, gap);
-      }
-      bool
-      is_bonded(const Index node) const override
-      {
-        return laws->is_bonded(node);
-      }
-      bool
-      has_bonds() const override
-      {
-        return laws->has_bonds();
-      }
-      bool
-      is_apart(const Index node) const override
-      {
-        return laws->is_apart(node);
-      }
-      bool
-      is_joined(const Index node) const override
-      {
-        return laws->is_joined(node);
+        Aspect result = laws->aspect(node, s, part * slip, gap);
+        result.by_slip *= part;
+        return result;
       }
 
     private:
-      std::shared_ptr<const NodalLaws> laws;
+      double part;
     };
   } // namespace
 
@@ -106,6 +82,29 @@ namespace conetact::solvers
   {
     ContactProblem result = problem;
     result.laws           = std::make_shared<WithoutFall>(problem.laws);
+    return result;
+  }
+
+
+
+  bool
+  grows_from_rest(const ContactProblem &problem)
+  {
+    if (problem.has_cones())
+      return false;
+    for (Index i = 0; i < problem.system->n_nodes(); ++i)
+      if (problem.laws->limit(i, 1, 0, 0).by_slip > 0)
+        return true;
+    return false;
+  }
+
+
+
+  ContactProblem
+  with_slower_slip(const ContactProblem &problem, const double part)
+  {
+    ContactProblem result = problem;
+    result.laws           = std::make_shared<SlowerSlip>(problem.laws, part);
     return result;
   }
 } // namespace conetact::solvers

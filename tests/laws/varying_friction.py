@@ -158,8 +158,18 @@ def letting_go(laws):
         laws.demand(f"  {taken} solves, where a constant coefficient takes {constant}", taken < most * constant)
 
 
+def from_rest(laws):
+    """Coefficients of 0 at rest that grow within slips far below those of bodies: what hardly moves holds less than what slips."""
+    for dim in (2, 3):
+        for text, law in (("0.3*v/(v + 1e-7)", lambda v: .3 * v / (v + 1e-7)), ("0.3*min(v/1e-4, 1)", lambda v: .3 * min(v / 1e-4, 1))):
+            run = laws.run(press_and_shear(dim, mu=text))
+            laws.admissible(f"{dim}D, mu = {text}", run, Mu(run, lambda row, s, p, v: law(v)))
+            laws.demand("  no increment is cut", all(row["substeps"] == 1 for row in run.increments))
+
+
 def varying_friction(laws):
     letting_go(laws)
+    from_rest(laws)
     viscous(laws)
     brake(laws)
     by_tables(laws)

@@ -65,6 +65,10 @@ namespace conetact::solvers
     /** Of laws whose friction falls so fast that their slopes lead astray. */
     SolverReport
     solve_without_fall(const ContactProblem &problem, ContactState &state);
+    /** Of laws whose friction grows so steeply from rest that no step finds the
+     * slip: from gentle ones on. */
+    SolverReport
+    solve_by_slower_slip(const ContactProblem &problem, ContactState &state);
     SolverReport
     run(const ContactProblem  &problem,
         const Eigen::VectorXd &p,

@@ -17,6 +17,15 @@ namespace conetact::solvers
    */
   ContactProblem
   without_fall(const ContactProblem &problem);
+
+  /** Whether friction of any node grows with the slip from rest on. */
+  bool
+  grows_from_rest(const ContactProblem &problem);
+
+  /** The same problem, whose friction sees that part of slips only: what grows
+   * steeply with them grows so much more gently. */
+  ContactProblem
+  with_slower_slip(const ContactProblem &problem, const double part);
 } // namespace conetact::solvers
 
 #endif
