@@ -4,6 +4,7 @@
 #include "conetact/solvers/node_sets.h"
 
 #include "conetact/solvers/linearized_law.h"
+#include "conetact/solvers/seen_node.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,92 +21,6 @@ namespace conetact::solvers
     {
       return static_cast<std::size_t>(i);
     }
-
-    /** Displacements, as the law sees them, and reactions of a point, whichever
-     * is p. Reactions are p or d themselves, or a member: no copy may refer to
-     * the member of another. */
-    class Fields
-    {
-    public:
-      Fields(const LinearRelation &relation,
-             const VectorXd       &p,
-             const VectorXd       &d)
-        : v(relation.displacements(p, d))
-        , r(relation.has_bonds() ? bonded : relation.reactions(p, d))
-      {
-        if (relation.has_layers())
-          relation.add_layers(relation.reactions(p, d), v);
-        if (relation.has_bonds())
-          bonded = relation.add_bonds(relation.reactions(p, d), v);
-      }
-      Fields(const Fields &) = delete;
-
-    private:
-      VectorXd bonded;
-
-    public:
-      VectorXd        v;
-      const VectorXd &r;
-    };
-
-    /** The limit of friction of node i at v, as the law sees it, pressed by s.
-     */
-    FrictionLimit
-    limit_at(const LinearRelation &relation,
-             const Index           i,
-             const double          s,
-             const SmallVector    &v)
-    {
-      const Index nt = v.size() - 1;
-      return relation.limit(i, s, v.head(nt).norm(), std::max(v(nt), 0.));
-    }
-
-    /** A node of a point as the law sees it, and what stretches it to where its
-     * limit of friction is a circle. */
-    struct Seen
-    {
-      Seen(const LinearRelation &relation, const Index i, const Fields &x)
-        : v(x.v.segment(relation.system().first[i],
-                        relation.system().n_tangents(i) + 1))
-        , r(x.r.segment(relation.system().first[i], v.size()))
-        , aspect(relation.aspect(i, r(v.size() - 1), slip(), gap()))
-        , scale(aspect.scale(v.size()))
-      {}
-
-      double
-      slip() const
-      {
-        return v.head(v.size() - 1).norm();
-      }
-      double
-      gap() const
-      {
-        return std::max(v(v.size() - 1), 0.);
-      }
-      /** How the slip grows with v_t. */
-      SmallVector
-      along() const
-      {
-        const double length = slip();
-        SmallVector  e      = v.head(v.size() - 1);
-        return length > 0 ? SmallVector(e / length) :
-                            SmallVector(SmallVector::Zero(e.size()));
-      }
-      SmallVector
-      slips() const
-      {
-        return scale.cwiseProduct(v);
-      }
-      SmallVector
-      forces() const
-      {
-        return r.cwiseQuotient(scale);
-      }
-
-      SmallVector v, r;
-      Aspect      aspect;
-      SmallVector scale; ///< of slips
-    };
 
     /** Its limit where its friction is followed to the slip that it leads to.
      */
@@ -221,18 +136,6 @@ namespace conetact::solvers
     {
       return set.state == NodeState::slip && set.direction.size() == 2 &&
              set.direction != SmallVector::Zero(2);
-    }
-
-    /** v with a slip that is not much larger than r, or r would be rounded. */
-    SmallVector
-    near_reaction(SmallVector v, const SmallVector &r)
-    {
-      const Index  nt    = v.size() - 1;
-      const double slip  = v.head(nt).norm();
-      const double limit = longest_slip * r.norm();
-      if (slip > limit && limit > 0)
-        v.head(nt) *= limit / slip;
-      return v;
     }
   } // namespace
 
@@ -390,94 +293,6 @@ namespace conetact::solvers
       }
     append_balance(relation, d, result);
     return result;
-  }
-
-  /* The square root of sum_i |r_i - P(r_i - v_i)|^2 + |imbalance|^2, over the
-     scale of forces. In the scaled variables stiffness is about one, so that v
-     counts as the force it would take. */
-  double
-  law_residual(const LinearRelation &relation,
-               const VectorXd       &p,
-               const VectorXd       &d)
-  {
-    eigen_assert(p.size() == d.size());
-    const ContactSystem &system = relation.system();
-    const Fields         x(relation, p, d);
-    const Index          n       = system.n_contact_unknowns();
-    double               sum     = x.v.tail(system.n_motions).squaredNorm();
-    VectorXd             allowed = relation.rounding(p); // of v, not of step v
-    for (Index i = 0; relation.has_layers() && i < system.n_nodes(); ++i)
-      allowed.segment(system.first[i], system.n_tangents(i) + 1).array() *=
-        relation.step(i).of(system.n_tangents(i) + 1).array();
-    const VectorXd v = without_rounding(x.v.head(n), allowed);
-    if (relation.stiffness())
-      sum = 0;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      {
-        const Index       first = system.first[i], nt = system.n_tangents(i);
-        const SmallVector r = x.r.segment(first, nt + 1);
-        if (relation.is_apart(i))
-          {
-            sum += r.squaredNorm();
-            continue;
-          }
-        if (relation.is_joined(i))
-          {
-            sum += v.segment(first, nt + 1).squaredNorm();
-            continue;
-          }
-        const Seen        seen(relation, i, x);
-        const SmallVector forces = seen.forces();
-        SmallVector       z =
-          forces -
-          near_reaction(seen.scale.cwiseProduct(v.segment(first, nt + 1)),
-                        forces);
-        const double zn    = std::max(z(nt), 0.);
-        const double limit = limit_at(relation, i, zn, seen.v).value;
-        const double norm  = z.head(nt).norm();
-        if (norm > limit)
-          z.head(nt) *= limit / norm;
-        // Not the nearest point of the cone, but r_t cut back to mu z_n, as the
-        // sets have it. Either residual vanishes where the law holds.
-        z(nt) = zn;
-        sum += seen.scale.cwiseProduct(forces - z).squaredNorm();
-      }
-    return std::sqrt(sum) / relation.force_scale(p, d);
-  }
-
-  /* |r_t + limit v_t / |v_t||. For a slip askew by an angle law_residual() has
-     about |v_t| times its sine, which is nothing where the slip is short. */
-  double
-  askew_friction(const LinearRelation &relation,
-                 const NodeSets       &sets,
-                 const VectorXd       &p,
-                 const VectorXd       &d,
-                 const double          rounding)
-  {
-    eigen_assert(p.size() == d.size());
-    eigen_assert(rounding >= 0);
-    const ContactSystem &system = relation.system();
-    const Fields         x(relation, p, d);
-    double               largest = 0, askew = 0;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      largest =
-        std::max(largest,
-                 x.r.segment(system.first[i], system.n_tangents(i) + 1).norm());
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      if (sets[at(i)].state == NodeState::slip)
-        {
-          const Index       nt = system.n_tangents(i);
-          const Seen        seen(relation, i, x);
-          const SmallVector slip = seen.slips().head(nt);
-          const double limit = limit_at(relation, i, seen.r(nt), seen.v).value;
-          if (seen.slip() > rounding * largest)
-            askew = std::max(askew,
-                             seen.scale.head(nt)
-                               .cwiseProduct(seen.forces().head(nt) +
-                                             limit / slip.norm() * slip)
-                               .norm());
-        }
-    return largest > 0 ? askew / largest : 0.;
   }
 
   void
