@@ -169,20 +169,18 @@ namespace conetact::analysis
   }
 
   /* What the fast method does not find where a body may hang is tried with the
-     body swinging before slow methods are. */
+     body swinging before slow methods are; and what swings by itself if it
+     comes to no end otherwise. */
   Failure
   IncrementAnalysis::solve_next(PendingIncrement &increment)
   {
-    const bool may_swing = swinging.may_help(increment);
-    solver.set_fast_only(may_swing && backend->otherwise == nullptr);
-    Failure failure = solve_and_settle(increment);
-    if (!failure || !may_swing)
-      return failure;
-    if (backend->otherwise != nullptr) // once bodies are condensed
-      {
-        failure.unsolved = true;
-        return failure;
-      }
+    const bool swings = swinging.is_on();
+    const bool may_swing =
+      !swings && swinging.may_help(increment) && backend->otherwise == nullptr;
+    solver.set_fast_only(may_swing);
+    const Failure failure = solve_and_settle(increment);
+    if (!failure || (!swings && !may_swing))
+      return once_condensed(failure, increment);
     const bool was_left = solver.was_slow();
     solver.set_fast_only(false);
     const auto try_again = [&] {
@@ -191,11 +189,25 @@ namespace conetact::analysis
         solver.start(increment.record.increment, increment.record.time);
       return solve_and_settle(increment);
     };
-    swinging.begin(increment);
-    if (!try_again())
-      return {};
+    if (may_swing)
+      {
+        swinging.begin(increment);
+        if (!try_again())
+          return {};
+      }
     swinging.stop();
-    return was_left ? try_again() : failure;
+    return swings || was_left ? try_again() : failure;
+  }
+
+  /* Bodies swing where they are condensed. */
+  Failure
+  IncrementAnalysis::once_condensed(Failure                 failure,
+                                    const PendingIncrement &increment) const
+  {
+    failure.unsolved =
+      failure.unsolved || (failure && backend->otherwise != nullptr &&
+                           swinging.may_help(increment));
+    return failure;
   }
 
   Failure

@@ -57,7 +57,7 @@ namespace conetact::analysis
         if (error <= exact && swinging.is_over(increment))
           return passes_through(increment.record, u);
         if ((is_slow || n == most) && turn <= least_turn &&
-            may_take(increment.record, change))
+            swinging.is_over(increment) && may_take(increment.record, change))
           {
             say_unsettled(increment.record, change);
             return passes_through(increment.record, u);

@@ -15,7 +15,7 @@ namespace conetact::pairing
   {
     /** Over the size of a face: sides that are further apart than this are not
      * flush. */
-    constexpr double flush = .02;
+    constexpr double flush = 5e-3;
 
     /** Faces of the master in sight, those that have a node in common as one.
      */

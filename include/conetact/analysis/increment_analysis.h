@@ -57,6 +57,9 @@ namespace conetact::analysis
     solve_next(PendingIncrement &increment);
     Failure
     solve_and_settle(PendingIncrement &increment);
+    /** A failure that condensing the bodies may mend is an unsolved one. */
+    Failure
+    once_condensed(Failure failure, const PendingIncrement &increment) const;
     /** Whether a cut is to be locked before increment k. */
     bool
     lock_is_due(const unsigned int k) const;

@@ -47,7 +47,8 @@ TEST(FreeObstacles, AreRigidBodiesBehindTheOthers)
   EXPECT_EQ(bodies.called(0), "body 'frame'");
   EXPECT_EQ(bodies.called(1), "obstacle 'floor'");
   const Structure &floor = *bodies.structures[1];
-  ASSERT_EQ(floor.n_nodes(), 3u);
+  // the reference point, two feet, two nodes that span the axes
+  ASSERT_EQ(floor.n_nodes(), 5u);
   expect_near(floor.position(0), vector(3, -1));
   for (const pairing::ContactNode &node : bodies.contact_nodes)
     {
@@ -64,12 +65,12 @@ TEST(FreeObstacles, HaveTheirLoadsAtTheReferencePoint)
 {
   const auto            scene = pressed_from_below();
   const Eigen::VectorXd f     = scene->obstacle_forces(2);
-  ASSERT_EQ(f.size(), 6 + 9);
+  ASSERT_EQ(f.size(), 6 + 15);
   EXPECT_EQ(f.head(6).norm(), 0);
   EXPECT_EQ(f[6], 0);
   EXPECT_EQ(f[7], 8);
   EXPECT_EQ(f[8], 4);
-  EXPECT_EQ(f.tail(6).norm(), 0);
+  EXPECT_EQ(f.tail(12).norm(), 0);
 }
 
 
