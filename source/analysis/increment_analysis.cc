@@ -122,7 +122,7 @@ namespace conetact::analysis
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
     if (one_by_one || scene.follows_branches || solver.search.is_needed() ||
-        !backend->batches || parts.is_cut())
+        !backend->batches || contact::has_nodal_laws(model.points))
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
@@ -268,7 +268,6 @@ namespace conetact::analysis
          i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
       {
-        return_to(batch[i]);
         step                  = check(batch[i], std::move(w[i]));
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
@@ -289,15 +288,6 @@ namespace conetact::analysis
     wear.add(increment);
     if (parts.take(increment.record))
       finished.push_back(std::move(increment.record));
-  }
-
-  /* Those after it have been solved since, by coefficients of their own. */
-  void
-  IncrementAnalysis::return_to(const PendingIncrement &increment)
-  {
-    history = increment.after;
-    if (const auto &laws = increment.load.laws)
-      model.points.set_friction(laws->coefficients(increment.before.start()));
   }
 
   IncrementAnalysis::Step

@@ -72,9 +72,6 @@ namespace conetact::analysis
     /** Of each, the deformation of all dofs: the same on all processes. */
     std::vector<Eigen::VectorXd>
     deformations(const std::vector<PendingIncrement> &batch);
-    /** History and coefficients of friction are those of its end. */
-    void
-    return_to(const PendingIncrement &increment);
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
     /** Corrects it, and its deformation w, while that helps. Whether it did. */
