@@ -17,6 +17,7 @@ def swings(laws):
     pulled_aside(laws)
     units_and_directions(laws)
     rings_on_bodies(laws)
+    turned_weights(laws)
     tubes(laws)
 
 
@@ -98,6 +99,23 @@ def rings_on_bodies(laws):
         laws.check(f"ring on an elastic pin {seed}: force in the middle", math.hypot(row["support_in_f_x"], row["support_in_f_y"] - 1), 1e-8)
         # but for the way from facet to facet, between which a force is handed on
         laws.check("  moment of the support", abs(row["support_in_m_z"] + end[0] * -1.0), (math.pi / 32)**3)
+
+
+def turned_weights(laws):
+    """Rings that follow a load which turns, on pins that are slaves, with friction and without."""
+    for inner, degrees, cells, element, young, mu in ((1.02, 10, 32, "Q1", 1e4, .2), (1.1, 30, 48, "Q1", 3e5, .2), (1.1, 10, 24, "Q2", 8e5, 0),
+                                                      (1.3, 30, 32, "Q1", 2e7, 0), (2.0, 10, 24, "Q2", 7e7, .1)):
+        value = f"sin({math.radians(degrees)!r}*max(t-1,0)) ; -min(t,1)*cos({math.radians(degrees)!r}*max(t-1,0))"
+        scene, _ = hung(inner, 2 * inner, 1.0, value.split(" ; "), mu, cells, 2.0, element, Time={"Stages": "1 : 1, 2 : 3"})
+        pin = ring(.5, 1.0, cells, 5.0, young)
+        pin["Mesh"]["Translation"] = (0, inner - 1)
+        scene["Body ring"]["Material"]["Young modulus"] = young
+        scene = merge(scene, {"Obstacle pin": None, "Contact joint": None, "Body pin": pin, "Support in": support(0, "x, y", body="pin")})
+        scene["Contact joint"] = joint("pin", 1, "ring", 0, Kinematics="finite sliding", **{"Friction coefficient": mu})
+        row = laws.run(scene, bounds=False).increments[-1]
+        force = math.sin(math.radians(degrees)), -math.cos(math.radians(degrees))
+        laws.check(f"hole of {inner}, load turned by {degrees}, {element}: force in the middle",
+                   math.hypot(row["support_in_f_x"] + force[0], row["support_in_f_y"] + force[1]), 1e-8)
 
 
 def tubes(laws):
