@@ -83,7 +83,7 @@ namespace conetact::pairing
                        {},
                        Eigen::MatrixX3d::Zero(n, 3),
                        Eigen::MatrixX3d::Zero(n, 3),
-                       std::vector<bool>(face.n_functions, false)};
+                       {}};
     for (const auto &part : parts)
       {
         // One set of points for both sides: so forces and a constant

@@ -12,6 +12,21 @@ namespace conetact::solvers
   using Eigen::Index;
   using Eigen::VectorXd;
 
+  namespace
+  {
+    /** v with a slip that is not much larger than r, or r would be rounded. */
+    SmallVector
+    near_reaction(SmallVector v, const SmallVector &r)
+    {
+      const Index  nt    = v.size() - 1;
+      const double slip  = v.head(nt).norm();
+      const double limit = longest_slip * r.norm();
+      if (slip > limit && limit > 0)
+        v.head(nt) *= limit / slip;
+      return v;
+    }
+  } // namespace
+
   /* The square root of sum_i |r_i - P(r_i - v_i)|^2 + |imbalance|^2, over the
      scale of forces. In the scaled variables stiffness is about one, so that v
      counts as the force it would take. */

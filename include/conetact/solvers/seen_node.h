@@ -7,7 +7,6 @@
 #include "conetact/solvers/linear_relation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace conetact::solvers
 {
@@ -96,17 +95,6 @@ namespace conetact::solvers
     Aspect      aspect;
     SmallVector scale; ///< of slips
   };
-  /** v with a slip that is not much larger than r, or r would be rounded. */
-  inline SmallVector
-  near_reaction(SmallVector v, const SmallVector &r)
-  {
-    const Index  nt    = v.size() - 1;
-    const double slip  = v.head(nt).norm();
-    const double limit = longest_slip * r.norm();
-    if (slip > limit && limit > 0)
-      v.head(nt) *= limit / slip;
-    return v;
-  }
 } // namespace conetact::solvers
 
 #endif
