@@ -8,23 +8,27 @@
 
 namespace conetact::analysis
 {
+  Tensor<1, 3>
+  SmallKinematics::turn_of(const unsigned int  body,
+                           const IncrementEnd &end) const
+  {
+    return model.frames.has(body) ? Tensor<1, 3>() :
+                                    model.motions.turn(end.amounts, body);
+  }
+
   double
   SmallKinematics::rolled(const pairing::ContactNode &node,
                           const IncrementEnd         &end) const
   {
-    const auto turn_of = [&](const unsigned int body) {
-      return model.frames.has(body) ? Tensor<1, 3>() :
-                                      model.motions.turn(end.amounts, body);
-    };
     const bool may_roll =
       node.obstacle == nullptr ?
         node.kind == pairing::ContactKind::contact :
         node.slides || scene.kinematics[node.contact].may_tilt();
     if (node.meets_nothing() || !may_roll)
       return 0;
-    Tensor<1, 3> turn = turn_of(node.body);
+    Tensor<1, 3> turn = turn_of(node.body, end);
     if (node.obstacle == nullptr)
-      turn -= turn_of(node.master);
+      turn -= turn_of(node.master, end);
     const double rolled = (turn - (turn * node.n) * node.n).norm();
     return rolled == 0 || facets.at(node) == 0 ? 0 : rolled;
   }
@@ -72,6 +76,25 @@ namespace conetact::analysis
     return std::find(own.begin(), own.end(), body) != own.end();
   }
 
+  std::vector<unsigned int>
+  SmallKinematics::to_slide_with(const pairing::ContactNode &node,
+                                 const IncrementEnd         &end) const
+  {
+    std::vector<unsigned int> found, sides = {node.body};
+    if (node.obstacle == nullptr)
+      sides.push_back(node.master);
+    for (const unsigned int body : sides)
+      if (turn_of(body, end).norm() > 0)
+        for (const unsigned int c : contacts_of(body))
+          if (scene.contacts[c].slides)
+            continue;
+          else if (scene.kinematics[c].may_slide())
+            found.push_back(c);
+          else
+            return {};
+    return found;
+  }
+
   /* Nodes that press keep pressing as a round body rolls, at the arm of their
      undeformed places: a moment that nothing real has. Facets hold a body
      until it has turned by half of one, and what spins in a bore with all of
@@ -112,14 +135,15 @@ namespace conetact::analysis
                   "does not";
           else
             continue;
-          found.emplace(
-            node.contact,
-            Left{model.bodies.called(node.body) + " rolls by " + to_text(turn) +
-                 " rad at its contact node " + to_text(node.position) + why +
-                 (node.slides ? ", and what ties or couples it does not turn "
-                                "with it. Use a smaller motion, or hold it "
-                                "by other means" :
-                                "")});
+          Left left{model.bodies.called(node.body) + " rolls by " +
+                    to_text(turn) + " rad at its contact node " +
+                    to_text(node.position) + why};
+          if (node.slides)
+            left.with_it = to_slide_with(node, end);
+          if (node.slides && left.with_it.empty())
+            left.why += ", and what ties or couples it does not turn with it. "
+                        "Use a smaller motion, or hold it by other means";
+          found.emplace(node.contact, std::move(left));
         }
   }
 } // namespace conetact::analysis

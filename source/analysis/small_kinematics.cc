@@ -300,6 +300,19 @@ namespace conetact::analysis
       }
   }
 
+  std::vector<unsigned int>
+  SmallKinematics::contacts_of(const unsigned int body) const
+  {
+    std::vector<unsigned int> found;
+    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+      if (const pairing::Contact &contact = scene.contacts[c];
+          (contact.kind != pairing::ContactKind::tie || contact.may_part()) &&
+          (contact.body == body ||
+           (contact.obstacle == nullptr && contact.master == body)))
+        found.push_back(c);
+    return found;
+  }
+
   std::vector<SmallKinematics::Turned>
   SmallKinematics::turned(const Eigen::VectorXd &amounts) const
   {
@@ -321,19 +334,15 @@ namespace conetact::analysis
                       // elements that turn have no frame
                       model.bodies.structures[b]->n_components() <=
                         model.bodies.dim};
-        for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
-          if (const pairing::Contact &contact = scene.contacts[c];
-              (contact.kind != pairing::ContactKind::tie ||
-               contact.may_part()) &&
-              (contact.body == b ||
-               (contact.obstacle == nullptr && contact.master == b)))
-            {
-              const pairing::ContactKinematics &of = scene.kinematics[c];
-              if (!contact.slides)
-                turned.small.push_back(c);
-              turned.is_automatic |= of.asked == pairing::Kinematics::automatic;
-              turned.could_turn &= contact.slides || of.may_slide();
-            }
+        for (const unsigned int c : contacts_of(b))
+          {
+            const pairing::ContactKinematics &of     = scene.kinematics[c];
+            const bool                        slides = scene.contacts[c].slides;
+            if (!slides)
+              turned.small.push_back(c);
+            turned.is_automatic |= of.asked == pairing::Kinematics::automatic;
+            turned.could_turn &= slides || of.may_slide();
+          }
         turned.could_turn &= !turned.small.empty();
         found.push_back(std::move(turned));
       }

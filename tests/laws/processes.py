@@ -63,20 +63,26 @@ def pair(dim, pairing):
 def tables(laws):
     space = press_and_shear(3, cells=(11, 8, 8), increments=2)
     compare(laws, "3D", space, 2, 3)
-    # halves above each other: one has no contact node
-    tall = merge(space, {"Body block": box((4, 4, 20), (1.0, 1.0, 5.0))})
-    compare(laws, "3D, contact nodes of one process only", tall, 2)
     compare(laws, "2D, too small to be shared", press_and_shear(2), 2,
             says="the first one does the work, the others have nothing to do")
+    compare(laws, "3D, a hard slave", merge(pair(3, "mortar"), {"Body upper": {"Material": {"Young modulus": 1e6}}}), 2)
+
+
+def more(laws):
+    """Shapes, pairings and shares of work that tests of every day leave out."""
+    # halves above each other: one has no contact node
+    tall = merge(press_and_shear(3, cells=(11, 8, 8), increments=2), {"Body block": box((4, 4, 20), (1.0, 1.0, 5.0))})
+    compare(laws, "3D, contact nodes of one process only", tall, 2)
     compare(laws, "2D, own weight, foundation, refined", merge(press_and_shear(2, cells=(30, 16), increments=3), {
         "Support side": support(1, "x", Stiffness=300), "Load weight": load("body force", "0 ; -2"),
         "Body block": {"Mesh": {"Refinement boxes": "0, 0 : 0.6, 0.3 : 2 ; 1.6, 0 : 2, 0.2 : 3"}}}), 3)
     compare(laws, "3D, mortar", pair(3, "mortar"), 2)
-    hard = {"Body upper": {"Material": {"Young modulus": 1e6}}}
-    compare(laws, "3D, a hard slave", merge(pair(3, "mortar"), hard), 2)
     compare(laws, "2D, node to face", pair(2, "node to face"), 3)
     compare(laws, "3D, a bolt that is tightened and locked", flanged(3, **{"Preload locked from": 1}), 2)
     compare(laws, "3D, a ball that moves over a layer", merge(ball(), {"Body layer": box((13, 6, 5), (3.6, 1.6, .8), (-1.8, -.8, -.8))}), 2)
+    shares(laws, (2, 3))
+    alone(laws)
+    interrupted(laws)
 
 
 def seen(run):
@@ -255,8 +261,5 @@ def seven(laws):
 
 def processes(laws):
     tables(laws)
-    shares(laws, (2, 3))
-    alone(laws)
     endings(laws)
     killed(laws)
-    interrupted(laws)

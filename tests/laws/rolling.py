@@ -8,7 +8,7 @@ beside it; planet: an elastic disc between a fixed sun and a ring that turns.
 import math
 
 from laws.sliding import FAR
-from support.scenes import box, contact
+from support.scenes import box, contact, joint, support
 from support.tables import MOTION, Run, in_space
 from support.vectors import plus
 
@@ -136,7 +136,36 @@ def groove(laws):
                            abs(last["l_m_z"] + last["r_m_z"]) / (pressed * (mu * radius + lever)), 1.001)
 
 
+def wall(laws):
+    """A roller on a floor that a force pushes up against an elastic wall: friction on both is the same, for both turn it, but
+    for what facets shift normal forces by. How far it rolls until then depends on the wall, that there is an end does not."""
+    radius, weight, push = 10.0, 1000.0, 500.0
+    spread = f"/{32 * radius**2 * math.sin(math.pi / 32)!r}"  # over 64 facets
+
+    def scene(young, mu):
+        return {"Dimension": 2,
+                "Body roller": {"Mesh": {"Generator": "hyper_ball", "Arguments": f"0, {radius} : {radius} : false", "Global refinements": 4},
+                                "Material": {"Young modulus": 1e5, "Poisson ratio": .3}},
+                "Body wall": box((4, 16), (10.0, 20.0), (radius, 0.0), young=young),
+                "Obstacle floor": {"Shape": "half space", "Normal": "0, 1", "Point": (0, 0)},
+                "Contact under": contact("roller", 0, "floor", mu),
+                "Contact beside": joint("roller", 0, "wall", 0, **{"Friction coefficient": mu}),
+                "Support back": support(1, "x, y", body="wall"),
+                "Load all": {"Body": "roller", "Kind": "body force",
+                             "Value": f"{push}*max(t - 1, 0){spread} ; {-weight}*min(t, 1){spread}"},
+                "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}}
+    lever = radius * math.sin(math.pi / 64)  # half a facet
+    for young, mu in ((1e5, .4), (2000.0, .4), (1000.0, .4), (500.0, .6)):
+        run = laws.run(scene(young, mu), bounds=False)
+        last = run.increments[-1]
+        laws.check(f"roller against a wall, E = {young}: forces of floor and wall",
+                   max(abs(last["under_f_x"] + last["beside_f_x"] + push), abs(last["under_f_y"] + last["beside_f_y"] - weight)) / weight, 1e-9)
+        laws.check("  moment of friction about the middle, over that of half a facet",
+                   abs(last["beside_f_y"] + last["under_f_x"]) * radius / (lever * (last["under_f_y"] - last["beside_f_x"])), 1)
+
+
 def rolling(laws):
     caster(laws)
     groove(laws)
+    wall(laws)
     planet(laws)

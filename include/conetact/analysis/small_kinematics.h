@@ -41,6 +41,9 @@ namespace conetact::analysis
       std::string why;
       /** It has slid so far as only what is let go does. */
       bool is_let_go = false;
+      /** Other contacts, still small, that must slide so that its bodies have
+       * frames. */
+      std::vector<unsigned int> with_it = {};
     };
     using Found = std::map<unsigned int, Left>;
     /** By their number: gaps, feet, slips. */
@@ -84,6 +87,17 @@ namespace conetact::analysis
     bool
     encloses(const PendingIncrement &increment,
              const unsigned int      contact) const;
+    /** Of a body, but for ties that hold for ever. */
+    std::vector<unsigned int>
+    contacts_of(const unsigned int body) const;
+    /** Contacts that are small yet and must slide if the bodies at a node are
+     * to have frames; none: they have them, or cannot. */
+    std::vector<unsigned int>
+    to_slide_with(const pairing::ContactNode &node,
+                  const IncrementEnd         &end) const;
+    /** Of a body that has no frame, which would turn with it [rad]. */
+    Tensor<1, 3>
+    turn_of(const unsigned int body, const IncrementEnd &end) const;
     /** Whether a body has a motion that no support prescribes. */
     bool
     is_free(const unsigned int body) const;
