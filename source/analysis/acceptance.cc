@@ -285,8 +285,6 @@ namespace conetact::analysis
                         "(Kinematics = small), and is wrong by as much.");
         return "";
       }
-    for (const unsigned int other : left.with_it)
-      leaves.emplace(other, why);
     if (scene.contacts[contact].slides)
       return why;
     if (of.may_slide())

@@ -88,6 +88,7 @@ namespace conetact::analysis
     , has_closed(scene.contact_names.size(), false)
     , least_gaps(scene.contact_names.size(), 0.)
     , ways_of_wear(scene)
+    , facet_moments(scene)
   {
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
@@ -233,6 +234,7 @@ namespace conetact::analysis
           rows[i].reaction[0] / (rows[i].area > 0 ? rows[i].area : 1.);
       }
     ways_of_wear.see(model.points, rows);
+    facet_moments.see(model.points, rows);
     of_facets.clear();
     sentences.clear();
     for (unsigned int c = 0; c < closed.size(); ++c)
@@ -401,6 +403,7 @@ namespace conetact::analysis
       all.push_back(sentence);
     warn(all, log);
     ways_of_wear.say(log);
+    facet_moments.say(log);
     if (is_whole)
       say_never_closed(log);
   }

@@ -76,25 +76,6 @@ namespace conetact::analysis
     return std::find(own.begin(), own.end(), body) != own.end();
   }
 
-  std::vector<unsigned int>
-  SmallKinematics::to_slide_with(const pairing::ContactNode &node,
-                                 const IncrementEnd         &end) const
-  {
-    std::vector<unsigned int> found, sides = {node.body};
-    if (node.obstacle == nullptr)
-      sides.push_back(node.master);
-    for (const unsigned int body : sides)
-      if (turn_of(body, end).norm() > 0)
-        for (const unsigned int c : contacts_of(body))
-          if (scene.contacts[c].slides)
-            continue;
-          else if (scene.kinematics[c].may_slide())
-            found.push_back(c);
-          else
-            return {};
-    return found;
-  }
-
   /* Nodes that press keep pressing as a round body rolls, at the arm of their
      undeformed places: a moment that nothing real has. Facets hold a body
      until it has turned by half of one, and what spins in a bore with all of
@@ -135,15 +116,51 @@ namespace conetact::analysis
                   "does not";
           else
             continue;
-          Left left{model.bodies.called(node.body) + " rolls by " +
-                    to_text(turn) + " rad at its contact node " +
-                    to_text(node.position) + why};
-          if (node.slides)
-            left.with_it = to_slide_with(node, end);
-          if (node.slides && left.with_it.empty())
-            left.why += ", and what ties or couples it does not turn with it. "
-                        "Use a smaller motion, or hold it by other means";
-          found.emplace(node.contact, std::move(left));
+          found.emplace(
+            node.contact,
+            Left{model.bodies.called(node.body) + " rolls by " + to_text(turn) +
+                 " rad at its contact node " + to_text(node.position) + why +
+                 (node.slides ? ", and what else holds it (a tie, a spring, a "
+                                "coupling, a bilateral contact) does not turn "
+                                "with it. Use a smaller motion, hold it by "
+                                "other means, or take what is off by as much "
+                                "with Kinematics = small" :
+                                "")});
         }
+  }
+
+  /* A body turns with a frame if all of its contacts slide. Without one it
+     grows as it turns, by half of the square of the angle, which what is found
+     on displaced faces sees, and presses by. */
+  void
+  SmallKinematics::add_beside_sliding(const IncrementEnd &end,
+                                      Found              &found) const
+  {
+    constexpr double little = 2e-3; // rad: 2e-6 of what is round
+    for (unsigned int b = 0; b < model.bodies.n_elastic(); ++b)
+      {
+        const double turn = turn_of(b, end).norm();
+        if (!(turn > little))
+          continue;
+        const auto all     = contacts_of(b);
+        const auto sliding = std::find_if(all.begin(), all.end(), [&](auto c) {
+          return scene.contacts[c].slides;
+        });
+        const bool has_frame_then =
+          std::all_of(all.begin(), all.end(), [&](auto c) {
+            return scene.contacts[c].slides ||
+                   scene.kinematics[c].why_not_finite.empty();
+          });
+        if (sliding == all.end() || !has_frame_then)
+          continue;
+        for (const unsigned int c : all)
+          if (!scene.contacts[c].slides)
+            found.emplace(c,
+                          Left{model.bodies.called(b) + " turns by " +
+                               to_text(turn) + " rad, and its contact '" +
+                               scene.contact_names[*sliding] +
+                               "' is found again where it comes to, which is "
+                               "right if all contacts of the body are"});
+      }
   }
 } // namespace conetact::analysis

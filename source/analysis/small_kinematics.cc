@@ -132,6 +132,7 @@ namespace conetact::analysis
     add_wrong_turns(end, found);
     add_turned_springs(end, found);
     add_rolled(end, found);
+    add_beside_sliding(end, found);
     return found;
   }
 

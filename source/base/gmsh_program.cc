@@ -137,7 +137,7 @@ namespace conetact
     }
 
     std::string
-    contents_of(const std::filesystem::path &file)
+    text_in(const std::filesystem::path &file)
     {
       std::ostringstream read;
       read << std::ifstream(file, std::ios::binary).rdbuf();
@@ -197,7 +197,7 @@ namespace conetact
     void
     open_script(const std::filesystem::path &file)
     {
-      const std::string text     = contents_of(file);
+      const std::string text     = text_in(file);
       const bool        has_end  = text.empty() || text.back() == '\n';
       bool              is_alone = true;
       for (const char *other : {"Include", "Merge", "ShapeFromFile"})
@@ -291,7 +291,7 @@ namespace conetact
       const std::filesystem::path folder = temporary_folder();
       const std::filesystem::path file   = folder / "mesh.msh";
       gmsh::write(file.string());
-      std::string text = contents_of(file);
+      std::string text = text_in(file);
       std::filesystem::remove_all(folder);
       return text;
     }
@@ -306,7 +306,7 @@ namespace conetact
       if (extension == "geo")
         open_script(file);
       else if (extension == "bdf" || extension == "nas")
-        open_copy(with_whole_cards(contents_of(file)), file);
+        open_copy(with_whole_cards(text_in(file)), file);
       else
         gmsh::open(file.string());
       double size = 0;

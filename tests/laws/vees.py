@@ -17,6 +17,7 @@ def vees(laws):
         chance = random.Random(seed)
         bar_in_vee(laws, seed, chance)
     beyond_friction(laws)
+    locked_facets(laws)
 
 
 def flank(angle, side, element):
@@ -80,3 +81,20 @@ def beyond_friction(laws):
         done, folder = laws.start(scene)
         what = f"{'ring' if ring_is_slave else 'shaft'} first, {share} of the torque that friction carries"
         laws.demand(f"{what}: {done.stderr.strip()[-120:]}", (done.returncode == 0) == (share < 1))
+
+
+def locked_facets(laws):
+    """Facets of unlike sides lock into each other: what they carry of a torque is told where friction alone could not."""
+    shaft = ring(.5 * RADIUS, RADIUS, 43, 0, YOUNG)
+    scene = {"Dimension": 2, "Body hub": ring(RADIUS, 2 * RADIUS, 36, 0, YOUNG), "Body shaft": merge(shaft, {"Mesh": {"Rotation": 3.0}}),
+             "Contact fit": joint("shaft", 1, "hub", 0, Gap=-.005, Pairing="node to face", **{"Friction coefficient": MU}),
+             "Support out": support(1, "x, y", body="hub"), "Output": {"VTU": 0}, "Time": {"Times": "1, 2"}}
+    told = "facets of both lock into each other"
+    pressed = [row for row in laws.run(merge(scene, {"Time": {"Times": 1}}), bounds=False).last() if row["contact"] == "fit"]
+    limit = MU * RADIUS * sum(row["r_n"] for row in pressed)
+    for share in (.3, 1.1, 1.3):
+        done, folder = laws.start(merge(scene, {"Load twist": {"Body": "shaft", "Kind": "moment", "Boundary ids": 0,
+                                                                    "Value": f"{share * limit!r}*max(t-1,0)"}}))
+        says = told in (folder / "log.txt").read_text()
+        laws.demand(f"{share} of the torque of friction, exit code {done.returncode}, {'told' if says else 'not told'}",
+                    done.returncode == 0 and not says if share < 1 else done.returncode == 2 or says)

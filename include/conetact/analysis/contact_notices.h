@@ -4,6 +4,7 @@
 #ifndef conetact_analysis_contact_notices_h
 #define conetact_analysis_contact_notices_h
 
+#include "conetact/analysis/facet_moments.h"
 #include "conetact/analysis/ways_of_wear.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
@@ -96,6 +97,7 @@ namespace conetact::analysis
     std::vector<bool>                              second_degree, has_closed;
     std::vector<double>                 least_gaps; ///< of the last increment
     WaysOfWear                          ways_of_wear;
+    FacetMoments                        facet_moments;
     std::set<unsigned int>              of_facets;
     std::map<unsigned int, std::string> sentences; ///< of these contacts
   };

@@ -41,9 +41,6 @@ namespace conetact::analysis
       std::string why;
       /** It has slid so far as only what is let go does. */
       bool is_let_go = false;
-      /** Other contacts, still small, that must slide so that its bodies have
-       * frames. */
-      std::vector<unsigned int> with_it = {};
     };
     using Found = std::map<unsigned int, Left>;
     /** By their number: gaps, feet, slips. */
@@ -83,6 +80,8 @@ namespace conetact::analysis
     add_turned_springs(const IncrementEnd &end, Found &found) const;
     void
     add_rolled(const IncrementEnd &end, Found &found) const;
+    void
+    add_beside_sliding(const IncrementEnd &end, Found &found) const;
     /** Whether a contact touches on sides that look in several directions. */
     bool
     encloses(const PendingIncrement &increment,
@@ -90,11 +89,6 @@ namespace conetact::analysis
     /** Of a body, but for ties that hold for ever. */
     std::vector<unsigned int>
     contacts_of(const unsigned int body) const;
-    /** Contacts that are small yet and must slide if the bodies at a node are
-     * to have frames; none: they have them, or cannot. */
-    std::vector<unsigned int>
-    to_slide_with(const pairing::ContactNode &node,
-                  const IncrementEnd         &end) const;
     /** Of a body that has no frame, which would turn with it [rad]. */
     Tensor<1, 3>
     turn_of(const unsigned int body, const IncrementEnd &end) const;
