@@ -46,7 +46,7 @@ MORE_OF_PARTS = 1.03
 
 # Of a process and iteration, from weak_scaling.py: exchanges with each neighbour on each shared level, their bytes a node of others,
 # sums over all, and bytes of them a contact node.
-EXCHANGES, BYTES_OF_GHOST, SUMS, BYTES_OF_CONTACT = 6, 84, 8, 120
+EXCHANGES, BYTES_OF_GHOST, SUMS, BYTES_OF_CONTACT = 6, 84, 7, 120
 WHOLE = 4000  # unknowns of a level of which each process has all
 
 # Latency [s] and bandwidth [bytes/s] of MPI between two machines: gist.github.com/jfgrimm/3af692a5475bdd4ed836b5a18197a209 (2021).

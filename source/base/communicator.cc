@@ -56,8 +56,8 @@ namespace conetact
       return done != 0;
     }
 
-    /** Numbers of each process that are added in the order of processes. */
-    constexpr Eigen::Index few = 64;
+    /** So few, as those of GMRES, are added in the order of processes. */
+    constexpr Eigen::Index few = 96;
 
     template <typename Number>
     void

@@ -19,22 +19,6 @@ namespace conetact::iterative
   {
     using Eigen::Index;
     using Eigen::VectorXd;
-
-    /** w -= c v, and (w, next) of what is left. Both at once, piece by piece:
-     * w comes from the memory once, and sums in single precision are short. */
-    double
-    subtract_and_project(const double       c,
-                         const FloatVector &v,
-                         const FloatVector &next,
-                         FloatVector       &w)
-    {
-      double sum = 0;
-      for_pieces(w, [&](const Index i, const Index n) {
-        w.segment(i, n) -= static_cast<float>(c) * v.segment(i, n);
-        sum += static_cast<double>(w.segment(i, n).dot(next.segment(i, n)));
-      });
-      return sum;
-    }
   } // namespace
 
 
@@ -45,47 +29,42 @@ namespace conetact::iterative
 
 
 
-  /* A process that is alone goes the modified way of Gram and Schmidt, one
-     vector after the other. Each of its products would be a message: several
-     processes go the classical way, all products at once, and go it twice, as
-     once is not exact enough. The norm needs no third message: with orthonormal
-     V, |w - V p|^2 = |w|^2 - |p|^2, where p of the second pass is so small that
-     no digits are lost. */
+  /* The modified way of Gram and Schmidt, h_i = v_i^T (w - sum_{j<i} h_j v_j)
+     over |v_i|^2, is L h = V^T w, where L is the lower triangle of V^T V: one
+     sum over all processes brings V^T w, |w|^2 and the last row of L
+     (Swirydowicz et al., Numer. Linear Algebra Appl. 28 (2021) e2343). So does
+     the norm of what is left, |w|^2 - 2 h^T V^T w + h^T V^T V h: where digits
+     cancel it is off, and so is the length of the next vector, which L knows.
+   */
   double
   FlexibleGmres::orthogonalize(Eigen::Ref<VectorXd> along)
   {
-    if (processes.size() == 1)
-      {
-        along(0) = subtract_and_project(0, V.front(), V.front(), w);
-        for (Index i = 1; i < along.size(); ++i)
-          along(i) =
-            subtract_and_project(along(i - 1), V[at(i - 1)], V[at(i)], w);
-        const Index last = along.size() - 1;
-        return std::sqrt(subtract_and_project(along(last), V[at(last)], w, w));
-      }
-    const Index n_along = along.size();
-    VectorXd    parts(n_along + 1);
-    along.setZero();
-    for (int pass = 0; pass < 2; ++pass)
-      {
-        parts.setZero();
-        for_pieces(w, [&](const Index begin, const Index size) {
-          const auto part = w.segment(begin, size);
-          for (Index i = 0; i < n_along; ++i)
-            parts(i) +=
-              static_cast<double>(part.dot(V[at(i)].segment(begin, size)));
-          parts(n_along) += static_cast<double>(part.squaredNorm());
-        });
-        processes.sum(parts.data(), parts.size());
-        along += parts.head(n_along);
-        for_pieces(w, [&](const Index begin, const Index size) {
-          for (Index i = 0; i < n_along; ++i)
-            w.segment(begin, size) -=
-              static_cast<float>(parts(i)) * V[at(i)].segment(begin, size);
-        });
-      }
+    const Index n = along.size();
+    // Piece by piece: w stays in the cache, V comes from the memory twice.
+    VectorXd parts = VectorXd::Zero(2 * n + 1);
+    for_pieces(w, [&](const Index begin, const Index size) {
+      const auto part = w.segment(begin, size),
+                 last = V[at(n - 1)].segment(begin, size);
+      for (Index i = 0; i < n; ++i)
+        {
+          const auto v = V[at(i)].segment(begin, size);
+          parts(i) += static_cast<double>(v.dot(part));
+          parts(n + i) += static_cast<double>(v.dot(last));
+        }
+      parts(2 * n) += static_cast<double>(part.squaredNorm());
+    });
+    processes.sum(parts.data(), parts.size());
+    products.row(n - 1).head(n) = parts.segment(n, n).transpose();
+    const auto L                = products.topLeftCorner(n, n);
+    along = L.triangularView<Eigen::Lower>().solve(parts.head(n));
+    for_pieces(w, [&](const Index begin, const Index size) {
+      for (Index i = 0; i < n; ++i)
+        w.segment(begin, size) -=
+          static_cast<float>(along(i)) * V[at(i)].segment(begin, size);
+    });
+    const VectorXd projected = L.selfadjointView<Eigen::Lower>() * along;
     return std::sqrt(
-      std::max(parts(n_along) - parts.head(n_along).squaredNorm(), 0.));
+      std::max(parts(2 * n) + along.dot(projected - 2 * parts.head(n)), 0.));
   }
 
 
@@ -112,6 +91,7 @@ namespace conetact::iterative
       return list[at(i)];
     };
     next(V, 0) = b;
+    products.resize(cycle_length, cycle_length);
     // Vectors of the cycle before are kept and written again: from the second
     // cycle on nothing is allocated.
     w.resize(b.size());

@@ -47,6 +47,7 @@ namespace conetact::iterative
     const Communicator       processes;
     std::vector<FloatVector> V, Z;
     FloatVector              w;
+    Eigen::MatrixXd          products; ///< V^T V, its lower triangle
   };
 } // namespace conetact::iterative
 
