@@ -28,7 +28,9 @@ namespace conetact::bodies
       std::vector<unsigned int> in_cell; ///< their places among the cell's
     };
 
-    explicit BoundaryFaces(const Discretization<dim> &body);
+    /** Of a body, or of the mesh that its halved cells are. */
+    explicit BoundaryFaces(const Discretization<dim> &body,
+                           const ContinuumMesh<dim>  *halved_mesh = nullptr);
 
     BoundaryIds
     ids() const;
