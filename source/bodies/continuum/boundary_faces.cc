@@ -67,7 +67,7 @@ namespace conetact::bodies
         if (cell->face(f)->at_boundary())
           faces.push_back(make_face(body, cell, f));
     if (halved_mesh != nullptr)
-      faces = halved<dim>(faces, *halved_mesh);
+      faces = halved(faces, *halved_mesh);
     faces.shrink_to_fit();
   }
 

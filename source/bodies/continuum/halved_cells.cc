@@ -104,11 +104,11 @@ namespace conetact::bodies
   }
 
   template <int dim>
-  std::vector<typename BoundaryFaces<dim>::Face>
-  halved(const std::vector<typename BoundaryFaces<dim>::Face> &faces,
-         const ContinuumMesh<dim>                             &halved_mesh)
+  std::vector<BoundaryFace>
+  halved(const std::vector<BoundaryFace> &faces,
+         const ContinuumMesh<dim>        &halved_mesh)
   {
-    std::vector<typename BoundaryFaces<dim>::Face> parts;
+    std::vector<BoundaryFace> parts;
     parts.reserve(n_parts<dim> / 2 * faces.size());
     for (auto first = faces.begin(), end = first; first != faces.end();
          first = end)
@@ -120,8 +120,8 @@ namespace conetact::bodies
             {
               if ((part >> (face->number / 2) & 1) != face->number % 2)
                 continue;
-              auto of_part   = *face;
-              of_part.active = n_parts<dim> * face->active + part;
+              BoundaryFace of_part = *face;
+              of_part.active       = n_parts<dim> * face->active + part;
               const auto nodes =
                 halved_mesh.cell(halved_mesh.number(of_part.active));
               for (unsigned int v = 0; v < of_part.nodes.size(); ++v)
@@ -136,10 +136,8 @@ namespace conetact::bodies
   halved(const ContinuumMesh<2> &);
   template ContinuumMesh<3>
   halved(const ContinuumMesh<3> &);
-  template std::vector<BoundaryFaces<2>::Face>
-  halved<2>(const std::vector<BoundaryFaces<2>::Face> &,
-            const ContinuumMesh<2> &);
-  template std::vector<BoundaryFaces<3>::Face>
-  halved<3>(const std::vector<BoundaryFaces<3>::Face> &,
-            const ContinuumMesh<3> &);
+  template std::vector<BoundaryFace>
+  halved(const std::vector<BoundaryFace> &, const ContinuumMesh<2> &);
+  template std::vector<BoundaryFace>
+  halved(const std::vector<BoundaryFace> &, const ContinuumMesh<3> &);
 } // namespace conetact::bodies

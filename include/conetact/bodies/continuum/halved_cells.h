@@ -4,7 +4,7 @@
 #ifndef conetact_bodies_continuum_halved_cells_h
 #define conetact_bodies_continuum_halved_cells_h
 
-#include "conetact/bodies/continuum/boundary_faces.h"
+#include "conetact/bodies/continuum/boundary_face.h"
 #include "conetact/bodies/continuum/continuum_mesh.h"
 
 #include <vector>
@@ -24,9 +24,9 @@ namespace conetact::bodies
   /** Its boundary faces, with the ids of those that they are parts of: these
    * come cell by cell. */
   template <int dim>
-  std::vector<typename BoundaryFaces<dim>::Face>
-  halved(const std::vector<typename BoundaryFaces<dim>::Face> &faces,
-         const ContinuumMesh<dim>                             &halved_mesh);
+  std::vector<BoundaryFace>
+  halved(const std::vector<BoundaryFace> &faces,
+         const ContinuumMesh<dim>        &halved_mesh);
 } // namespace conetact::bodies
 
 #endif
