@@ -144,14 +144,14 @@ namespace conetact::analysis
   }
 
   verification::Claim
-  Acceptance::claim(const PendingIncrement &increment,
-                    const Eigen::VectorXd  &w) const
+  Acceptance::claim(const PendingIncrement      &increment,
+                    const contact::SharedVector &w) const
   {
-    AssertDimension(w.size(), model.coordinates.n_dofs());
-    AssertDimension(increment.forces->size(), w.size());
+    AssertDimension(w->size(), model.coordinates.n_dofs());
+    AssertDimension(increment.forces->size(), w->size());
     verification::Claim claim;
     claim.amounts    = amounts(increment);
-    claim.w          = contact::borrowed(w);
+    claim.w          = w;
     claim.r          = reactions(increment);
     claim.states     = increment.state.node;
     claim.loads      = increment.forces;
@@ -184,15 +184,15 @@ namespace conetact::analysis
   }
 
   verification::Finding
-  Acceptance::judge(const PendingIncrement &increment,
-                    const Eigen::VectorXd  &w) const
+  Acceptance::judge(const PendingIncrement      &increment,
+                    const contact::SharedVector &w) const
   {
     return verification.judge(claim(increment, w));
   }
 
   std::vector<model::ContactRow>
-  Acceptance::rows_of(const PendingIncrement &increment,
-                      const Eigen::VectorXd  &w) const
+  Acceptance::rows_of(const PendingIncrement      &increment,
+                      const contact::SharedVector &w) const
   {
     const verification::Finding finding = judge(increment, w);
     contact::ContactRows        rows    = contact_rows;
@@ -224,13 +224,17 @@ namespace conetact::analysis
 
   /* What is judged by the size of motions is so whichever way the Elasticity
      has parted them from deformations. */
-  std::pair<Eigen::VectorXd, Eigen::VectorXd>
-  Acceptance::motions_and_deformation(const PendingIncrement &increment,
-                                      const Eigen::VectorXd  &w) const
+  std::pair<Eigen::VectorXd, contact::SharedVector>
+  Acceptance::motions_and_deformation(const PendingIncrement      &increment,
+                                      const contact::SharedVector &w) const
   {
     const Eigen::VectorXd own   = amounts(increment);
-    Eigen::VectorXd       moved = contact::motions_with(model.motions, own, w);
-    return {moved, w - model.motions.field(moved - own)};
+    Eigen::VectorXd       moved = contact::motions_with(model.motions, own, *w);
+    if (moved == own)
+      return {moved, w};
+    Eigen::VectorXd deformed = model.motions.field(own - moved);
+    deformed += *w;
+    return {moved, contact::shared(std::move(deformed))};
   }
 
   std::string
@@ -379,7 +383,7 @@ namespace conetact::analysis
   std::string
   Acceptance::complete(PendingIncrement            &increment,
                        const verification::Finding &finding,
-                       const Eigen::VectorXd       &w,
+                       const contact::SharedVector &w,
                        const bool                   drawn)
   {
     AssertDimension(increment.state.node.size(), model.points.size());
@@ -391,7 +395,7 @@ namespace conetact::analysis
     const contact::KeptByLaws kept = kept_by_laws(increment, model.points);
     const auto [moved, deformed]   = motions_and_deformation(increment, w);
     if (const std::string why =
-          outdated({increment, finding, deformed, moved}, kept);
+          outdated({increment, finding, *deformed, moved}, kept);
         !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
@@ -436,10 +440,10 @@ namespace conetact::analysis
                          finding,
                          record.time),
         increment.state.r);
-    warnings.check_size(moved, deformed);
+    warnings.check_size(moved, *deformed);
     records.observe(record, *finding.u);
     if (drawn)
-      records.add_displacements(record, *finding.u, w);
+      records.add_displacements(record, *finding.u, *w);
     return "";
   }
 

@@ -299,7 +299,7 @@ namespace conetact::analysis
   std::string
   Analysis::complete(PendingIncrement            &increment,
                      const verification::Finding &finding,
-                     const Eigen::VectorXd       &w)
+                     const contact::SharedVector &w)
   {
     const unsigned int k     = increment.record.increment;
     const bool         drawn = description.is_drawn(k) ||

@@ -42,7 +42,8 @@ namespace conetact::analysis
     for (const auto &[key, nodes] : nodes_of)
       {
         const bodies::Structure &body = *model.bodies.structures[key.second];
-        for (const auto &face : body.surface(body.boundary_ids()).faces)
+        for (const auto &face :
+             body.surface(contacts.contact(key.first).ids).faces)
           for (const auto &corners : bodies::parts_of_contacts(body, face))
             if (std::all_of(corners.begin(),
                             corners.end(),
@@ -166,6 +167,17 @@ namespace conetact::analysis
     return two;
   }
 
+  BetweenNodes::Places
+  BetweenNodes::places(const pairing::SlidingContacts::Displacement &at) const
+  {
+    Places now;
+    now.reserve(model.coordinates.n_nodes());
+    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
+      for (unsigned int i = 0; i < model.bodies.structures[b]->n_nodes(); ++i)
+        now.push_back(at(b, i));
+    return now;
+  }
+
   /* Most increments are too small for it: seen from where it was looked for
      last. */
   std::string
@@ -176,16 +188,12 @@ namespace conetact::analysis
     constexpr double without_masters = std::numeric_limits<double>::max();
     if (clearance == without_masters)
       return "";
-    Places now;
-    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
-      for (unsigned int i = 0; i < model.bodies.structures[b]->n_nodes(); ++i)
-        now.push_back(at(b, i));
-    if (!clear_at.empty() && approach(clear_at, now) < clearance)
+    if (!clear_at.empty() && approach(clear_at, places(at)) < clearance)
       return "";
     const auto found = contacts.master_in_slave(at, deep);
     clearance        = found.clearance;
     if (clearance != without_masters)
-      clear_at = std::move(now);
+      clear_at = places(at);
     if (!found.deep)
       return "";
     const pairing::Contact &contact = contacts.contact(found.deep->contact);

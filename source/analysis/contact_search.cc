@@ -24,7 +24,8 @@ namespace conetact::analysis
     , passages(contacts, model)
   {
     start.frames = model.bodies.frames;
-    start.nodes  = model.points.nodes();
+    if (is_needed())
+      start.nodes = model.points.nodes();
   }
 
   std::string

@@ -94,7 +94,7 @@ namespace conetact::analysis
     constexpr double setup_of_unknown[]     = {4e-6, 4e-6};
     constexpr double increment_of_unknown[] = {1e-6, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};
-    constexpr double bytes_of_each[]        = {400, 100};
+    constexpr double bytes_of_each[]        = {400, 75};
     constexpr double longer_if_unequal      = 4;
     constexpr double larger_if_unequal      = 3;
     // Rows of a matrix whose elements differ are put in order without what is

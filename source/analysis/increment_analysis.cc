@@ -8,6 +8,7 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/interruption.h"
+#include "conetact/base/process.h"
 #include "conetact/base/team.h"
 #include "conetact/base/text.h"
 
@@ -261,6 +262,7 @@ namespace conetact::analysis
     solver.set_start_known(true);
     if (batch.empty())
       return {};
+    give_back_memory(); // of solvers, before there are vectors of all dofs
     std::vector<Eigen::VectorXd>        w = deformations(batch);
     std::vector<model::IncrementRecord> finished;
     Step                                step;
@@ -268,7 +270,7 @@ namespace conetact::analysis
          i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
       {
-        step                  = check(batch[i], std::move(w[i]));
+        step = check(batch[i], contact::shared(std::move(w[i])));
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
@@ -291,9 +293,9 @@ namespace conetact::analysis
   }
 
   IncrementAnalysis::Step
-  IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
+  IncrementAnalysis::check(PendingIncrement &increment, contact::SharedVector w)
   {
-    AssertDimension(w.size(), model.coordinates.n_dofs());
+    AssertDimension(w->size(), model.coordinates.n_dofs());
     verification::Finding finding      = acceptance.judge(increment, w);
     const bool            is_corrected = correct(increment, finding, w);
     const unsigned int    k            = increment.record.increment;
@@ -316,7 +318,7 @@ namespace conetact::analysis
   bool
   IncrementAnalysis::correct(PendingIncrement      &increment,
                              verification::Finding &finding,
-                             Eigen::VectorXd       &w)
+                             contact::SharedVector &w)
   {
     constexpr unsigned int most_steps   = 4;
     bool                   is_corrected = false;
@@ -327,15 +329,16 @@ namespace conetact::analysis
          ++step)
       {
         PendingIncrement better  = increment;
-        const auto       refined = solver.correct(better, w, finding);
+        auto             refined = solver.correct(better, *w, finding);
         if (!refined)
           break; // the result at hand is judged as it is
-        verification::Finding found = acceptance.judge(better, *refined);
+        const auto            of_better = contact::shared(std::move(*refined));
+        verification::Finding found     = acceptance.judge(better, of_better);
         if (!(error_of(found) < .5 * error_of(finding)))
           break;
         increment    = std::move(better);
         finding      = std::move(found);
-        w            = *refined;
+        w            = of_better;
         is_corrected = true;
       }
     return is_corrected;

@@ -374,9 +374,8 @@ namespace conetact::analysis
     other.end = solution.end;
     take_result(other, solution.problem);
     run.history = now;
-    const Eigen::VectorXd w =
-      run.model.elasticity().expand({&other.load}, {other.primal}).front();
-    return run.acceptance.rows_of(other, w);
+    auto w      = run.model.elasticity().expand({&other.load}, {other.primal});
+    return run.acceptance.rows_of(other, contact::shared(std::move(w.front())));
   }
 
   void

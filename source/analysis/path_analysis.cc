@@ -362,7 +362,7 @@ namespace conetact::analysis
   /* Forces that the recovered displacements leave unbalanced strain the bodies
      a little more, at the same reactions. */
   verification::Finding
-  PathAnalysis::judge(PendingIncrement &pending, Eigen::VectorXd &w)
+  PathAnalysis::judge(PendingIncrement &pending, contact::SharedVector &w)
   {
     verification::Finding finding = acceptance.judge(pending, w);
     for (unsigned int step = 0;
@@ -376,9 +376,10 @@ namespace conetact::analysis
                                      finding.missed_by_bound,
                                      {},
                                      {}});
-        const Eigen::VectorXd refined =
-          w + elastic.correction(change,
-                                 Eigen::VectorXd::Zero(pending.primal.size()));
+        const auto refined = contact::shared(
+          *w +
+          elastic.correction(change,
+                             Eigen::VectorXd::Zero(pending.primal.size())));
         PendingIncrement better = pending;
         if (change.bound.size() > 0)
           better.load.bound += change.bound;
@@ -416,7 +417,7 @@ namespace conetact::analysis
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
       {
         PendingIncrement           &pending = waiting[i].pending;
-        Eigen::VectorXd             wi      = w[i];
+        contact::SharedVector       wi      = contact::shared(w[i]);
         const verification::Finding finding = judge(pending, wi);
         const std::string           why     = complete(pending, finding, wi);
         if (why.empty())

@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
+#include "conetact/base/process.h"
 #include "conetact/contact/preloads.h"
 
 #include <deal.II/base/exceptions.h>
@@ -72,6 +73,7 @@ namespace conetact::analysis
   {
     const contact::Elasticity   &elastic = model.elasticity();
     const contact::ElasticReport report  = elastic.report();
+    give_back_memory();
     log.time(report.description +
              (report.factor_bytes > 0 ?
                 ", factor of " + megabytes(report.factor_bytes) :

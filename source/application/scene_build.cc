@@ -173,6 +173,8 @@ namespace conetact::application
     const unsigned int  dim    = bodies.dim;
     const auto          folder = entries.folder();
     std::vector<double> densities; // of each body
+    // what will be refined is a mesh that has been, by no element so far
+    const bodies::Refinements as_generated(adaptive.cycles > 0 ? 1 : 0);
     create_each(prm, "Body", bodies.names, [&](const std::string &name) {
       const std::size_t b = structures.size();
       structures.push_back(bodies::create_body(prm,
@@ -180,7 +182,7 @@ namespace conetact::application
                                                folder,
                                                name,
                                                refinements.empty() ?
-                                                 bodies::Refinements() :
+                                                 as_generated :
                                                  refinements[b]));
       if (adaptive.cycles == 0)
         structures.back()->forget_mesh();

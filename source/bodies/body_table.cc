@@ -153,8 +153,12 @@ namespace conetact::bodies
       std::vector<ElasticMaterial> of_cells;
       for (const MaterialOfGroups &material : materials)
         of_cells.push_back(material.material);
-      auto made = std::make_unique<Continuum<dim>>(
-        std::move(triangulation), of_cells, *row, groups, nodes);
+      auto made = std::make_unique<Continuum<dim>>(std::move(triangulation),
+                                                   of_cells,
+                                                   *row,
+                                                   groups,
+                                                   nodes,
+                                                   mesh.is_to_be_halved);
       if (const auto folded = made->folded_cell())
         throw InputError(
           mesh.where + (mesh.file.empty() ? "Generator: " : "File: ") +

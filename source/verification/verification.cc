@@ -307,6 +307,19 @@ namespace conetact::verification
 
 
 
+  /* Where nothing moves as a whole u is w: one vector of all dofs less. */
+  contact::SharedVector
+  Verification::displacements(const Claim &claim) const
+  {
+    if (bodies.frames.empty() && claim.amounts.isZero(0))
+      return claim.w;
+    VectorXd u = motions.field(claim.amounts);
+    u += *claim.w;
+    return contact::shared(plain.displacements(std::move(u)));
+  }
+
+
+
   /* K w - f - f_foundations - H^T r at the dofs of this process: what supports
      must add, and where nothing is held an error. */
   VectorXd
@@ -316,12 +329,10 @@ namespace conetact::verification
   {
     // Gaps see all of u = R a + w, forces only w: K R = 0 is exact where nobody
     // computes it.
-    VectorXd u = motions.field(claim.amounts);
-    u += *claim.w;
-    out.u           = contact::shared(plain.displacements(std::move(u)));
-    out.foundations = elastic.foundations(*out.u, claim.t);
     VectorXd rest =
       share.of(elastic.structure_forces_at(share.nodes(), *claim.w));
+    out.u             = displacements(claim);
+    out.foundations   = elastic.foundations(*out.u, claim.t);
     out.strain_energy = .5 * share.sum(share.of(*claim.w).dot(rest));
     rest -= share.of(*claim.loads);
     for (const contact::Foundation &foundation : out.foundations)

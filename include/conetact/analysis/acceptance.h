@@ -34,7 +34,8 @@ namespace conetact::analysis
 
     /** `w`: deformation of all dofs at the end of the increment. */
     verification::Finding
-    judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    judge(const PendingIncrement      &increment,
+          const contact::SharedVector &w) const;
     /** Forces that are left at all dofs; all processes of the team call this.
      */
     Eigen::VectorXd
@@ -56,7 +57,8 @@ namespace conetact::analysis
     }
     /** What its table would have of an increment that is not completed. */
     std::vector<model::ContactRow>
-    rows_of(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    rows_of(const PendingIncrement      &increment,
+            const contact::SharedVector &w) const;
 
     /**
      * Completes the record of the increment, with its displacements where
@@ -66,7 +68,7 @@ namespace conetact::analysis
     std::string
     complete(PendingIncrement            &increment,
              const verification::Finding &finding,
-             const Eigen::VectorXd       &w,
+             const contact::SharedVector &w,
              const bool                   drawn);
 
     /** All processes of the team know all of it then: before it is saved, and
@@ -129,16 +131,17 @@ namespace conetact::analysis
     }
     /** Of all rigid motions. */
     verification::Claim
-    claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    claim(const PendingIncrement      &increment,
+          const contact::SharedVector &w) const;
     /** Of all contact unknowns. */
     Eigen::VectorXd
     reactions(const PendingIncrement &increment) const;
     std::string
     leave(const unsigned int contact, const SmallKinematics::Left &left);
     /** Amounts of all motions and the deformation of all dofs, of w. */
-    std::pair<Eigen::VectorXd, Eigen::VectorXd>
-    motions_and_deformation(const PendingIncrement &increment,
-                            const Eigen::VectorXd  &w) const;
+    std::pair<Eigen::VectorXd, contact::SharedVector>
+    motions_and_deformation(const PendingIncrement      &increment,
+                            const contact::SharedVector &w) const;
     /** Whether small kinematics no longer holds, a sentence; empty: it does, or
      * is asked for. */
     std::string

@@ -113,7 +113,7 @@ namespace conetact::analysis
     std::string
     complete(PendingIncrement            &increment,
              const verification::Finding &finding,
-             const Eigen::VectorXd       &w);
+             const contact::SharedVector &w);
     void
     write(const std::vector<model::IncrementRecord> &finished);
     /** "Increment 3 of 5", for messages. */

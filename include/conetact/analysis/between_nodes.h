@@ -48,6 +48,8 @@ namespace conetact::analysis
     std::string
     obstacle_comes_between(const pairing::SlidingContacts::Displacement &at,
                            const double t) const;
+    Places
+    places(const pairing::SlidingContacts::Displacement &at) const;
     double
     approach(const Places &from, const Places &to) const;
     std::string

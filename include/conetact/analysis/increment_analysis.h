@@ -73,12 +73,12 @@ namespace conetact::analysis
     std::vector<Eigen::VectorXd>
     deformations(const std::vector<PendingIncrement> &batch);
     Step
-    check(PendingIncrement &increment, Eigen::VectorXd w);
+    check(PendingIncrement &increment, contact::SharedVector w);
     /** Corrects it, and its deformation w, while that helps. Whether it did. */
     bool
     correct(PendingIncrement      &increment,
             verification::Finding &finding,
-            Eigen::VectorXd       &w);
+            contact::SharedVector &w);
     /** Of what contact at nodes does not see. */
     void
     warn_of_nodes(const PendingIncrement &increment, const Eigen::VectorXd &u);

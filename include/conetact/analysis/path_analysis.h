@@ -85,7 +85,7 @@ namespace conetact::analysis
                 const load_path::PathPoint &point,
                 PendingIncrement           &pending);
     verification::Finding
-    judge(PendingIncrement &pending, Eigen::VectorXd &w);
+    judge(PendingIncrement &pending, contact::SharedVector &w);
     void
     flush();
     void

@@ -23,12 +23,6 @@ namespace conetact::contact
              std::make_shared<const Eigen::VectorXd>(std::move(x)) :
              nullptr;
   }
-  /** Shares numbers of another owner, which must outlive it. */
-  inline SharedVector
-  borrowed(const Eigen::VectorXd &x)
-  {
-    return {SharedVector(), &x};
-  }
   /** The numbers that are shared; empty where there are none. */
   inline const Eigen::VectorXd &
   numbers(const SharedVector &x)

@@ -94,6 +94,9 @@ namespace conetact::verification
     subtract_reactions(const Eigen::VectorXd &r,
                        const Share           &share,
                        Eigen::VectorXd       &forces) const;
+    /** R a + w in space. */
+    contact::SharedVector
+    displacements(const Claim &claim) const;
     /** What acts and what is left of it, at the dofs of this process. */
     Eigen::VectorXd
     find_rest(const Claim &claim, const Share &share, Finding &out) const;

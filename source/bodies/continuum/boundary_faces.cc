@@ -3,6 +3,7 @@
 
 #include "conetact/bodies/continuum/boundary_faces.h"
 
+#include "conetact/bodies/continuum/halved_cells.h"
 #include "conetact/bodies/face_nodes.h"
 
 #include <deal.II/base/exceptions.h>
@@ -52,7 +53,8 @@ namespace conetact::bodies
   } // namespace
 
   template <int dim>
-  BoundaryFaces<dim>::BoundaryFaces(const Discretization<dim> &body)
+  BoundaryFaces<dim>::BoundaryFaces(const Discretization<dim> &body,
+                                    const ContinuumMesh<dim>  *halved_mesh)
     : mapping(body.fe.base_element(0))
     , values(mapping,
              mapping.element(),
@@ -64,6 +66,8 @@ namespace conetact::bodies
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
           faces.push_back(make_face(body, cell, f));
+    if (halved_mesh != nullptr)
+      faces = halved(faces, *halved_mesh);
     faces.shrink_to_fit();
   }
 

@@ -7,6 +7,7 @@
 #include "conetact/bodies/continuum/boundary_faces.h"
 #include "conetact/bodies/continuum/discretization.h"
 #include "conetact/bodies/continuum/graphics.h"
+#include "conetact/bodies/continuum/halved_cells.h"
 #include "conetact/bodies/continuum/refinement.h"
 
 #include <deal.II/base/utilities.h>
@@ -225,15 +226,20 @@ namespace conetact::bodies
     const std::vector<ElasticMaterial>              &materials,
     const ElementRow<dim>                           &row,
     const MeshGroups                                &groups,
-    const CellNodes<dim>                            &nodes)
+    const CellNodes<dim>                            &nodes,
+    const bool                                       is_to_be_halved)
     : discretization(
         std::make_unique<Discretization<dim>>(std::move(finished_mesh),
                                               row.degree,
                                               nodes))
-    , mesh(plain(*discretization, materials.size() > 1))
+    , mesh(is_to_be_halved ?
+             halved(plain(*discretization, materials.size() > 1)) :
+             plain(*discretization, materials.size() > 1))
     , element(discretization->fe.base_element(0).clone())
     , quadrature(discretization->quadrature)
-    , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
+    , faces(
+        std::make_unique<BoundaryFaces<dim>>(*discretization,
+                                             is_to_be_halved ? &mesh : nullptr))
     , at_corners(faces->are_triangles_of_second_degree() ||
                  (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
     , phases(make_phases(materials, row))
@@ -247,7 +253,10 @@ namespace conetact::bodies
                1}
     , element_name(row.name)
     , matrices(mesh, phases, extent.thickness)
-  {}
+  {
+    if (is_to_be_halved)
+      forget_mesh();
+  }
 
   template <int dim>
   Continuum<dim>::~Continuum() = default;
@@ -298,10 +307,12 @@ namespace conetact::bodies
   Surface
   Continuum<dim>::surface(const BoundaryIds &ids) const
   {
-    const auto known = surfaces.find(ids);
-    return known != surfaces.end() ?
-             known->second :
-             surfaces.emplace(ids, find_surface(ids)).first->second;
+    const auto [known, is_first] = surfaces.try_emplace(ids);
+    if (is_first)
+      return find_surface(ids);
+    if (!known->second)
+      known->second = find_surface(ids);
+    return *known->second;
   }
 
   template <int dim>

@@ -141,6 +141,25 @@ namespace conetact::bodies
         }
     }
 
+    /** How many of the faces that it will be condition holds for, by their
+     * centres. */
+    template <class Face>
+    unsigned int
+    n_parts_with(const BoundaryTag    &tag,
+                 const Face           &face,
+                 const MeshParameters &parameters)
+    {
+      const auto holds = [&](const auto &centre) {
+        return tag.condition(parameters.to_scene(to_space(centre))) != 0;
+      };
+      if (!parameters.is_to_be_halved)
+        return holds(face->center());
+      unsigned int n = 0;
+      for (const unsigned int v : face->vertex_indices())
+        n += holds(face->vertex(v) + .5 * (face->center() - face->vertex(v)));
+      return n;
+    }
+
     template <int dim>
     void
     tag(Triangulation<dim> &mesh, const MeshParameters &parameters)
@@ -149,8 +168,7 @@ namespace conetact::bodies
         {
           bool found = false;
           for (const auto &face : mesh.active_face_iterators())
-            if (face->at_boundary() && tag.condition(parameters.to_scene(
-                                         to_space(face->center()))) != 0)
+            if (face->at_boundary() && n_parts_with(tag, face, parameters) > 0)
               {
                 face->set_boundary_id(tag.id);
                 found = true;
@@ -210,9 +228,63 @@ namespace conetact::bodies
                            "where it matters.");
     }
 
+    /** Edges that are opposite are equal. */
+    template <class Cell>
+    bool
+    has_parallel_sides(const Cell &cell)
+    {
+      constexpr double round_off = 1e-12; // of the size of the cell
+      for (unsigned int v = 1; v < cell.n_vertices(); ++v)
+        {
+          auto corner = cell.vertex(0);
+          for (unsigned int axis = 1; axis < cell.n_vertices(); axis *= 2)
+            if ((v & axis) != 0)
+              corner += cell.vertex(axis) - cell.vertex(0);
+          if (corner.distance(cell.vertex(v)) > round_off * cell.diameter())
+            return false;
+        }
+      return true;
+    }
+
+    /** Whether new nodes of all cells are in the middle of old ones, and nobody
+     * asks deal.II for these cells. */
+    template <int dim>
+    bool
+    can_be_halved(const Triangulation<dim> &mesh,
+                  const MeshParameters     &parameters)
+    {
+      if (!parameters.file.empty() || !parameters.refinements.empty() ||
+          !parameters.boxes.empty() || !parameters.zones.empty() ||
+          parameters.second_order || parameters.global_refinements == 0 ||
+          !mesh.all_reference_cells_are_hyper_cube())
+        return false;
+      for (const auto id : mesh.get_manifold_ids())
+        if (id != dealii::numbers::flat_manifold_id)
+          return false;
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (!has_parallel_sides(*cell))
+          return false;
+      return true;
+    }
+
+    /** Conditions may hold for parts of faces: then these must be faces. */
+    template <int dim>
+    bool
+    have_parts_apart(const Triangulation<dim> &mesh,
+                     const MeshParameters     &parameters)
+    {
+      constexpr unsigned int all = GeometryInfo<dim>::vertices_per_face;
+      for (const BoundaryTag &tag : parameters.tags)
+        for (const auto &face : mesh.active_face_iterators())
+          if (face->at_boundary() &&
+              n_parts_with(tag, face, parameters) % all != 0)
+            return true;
+      return false;
+    }
+
     template <int dim>
     void
-    refine_globally(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    refine_globally(Triangulation<dim> &mesh, MeshParameters &parameters)
     {
       check_mesh_size(parameters,
                       dim,
@@ -220,7 +292,14 @@ namespace conetact::bodies
                                  static_cast<int>(
                                    dim * parameters.global_refinements)),
                       "Global refinements");
-      mesh.refine_global(parameters.global_refinements);
+      parameters.is_to_be_halved = can_be_halved(mesh, parameters);
+      mesh.refine_global(parameters.global_refinements -
+                         (parameters.is_to_be_halved ? 1 : 0));
+      if (parameters.is_to_be_halved && have_parts_apart(mesh, parameters))
+        {
+          parameters.is_to_be_halved = false;
+          mesh.refine_global(1);
+        }
     }
   } // namespace
 

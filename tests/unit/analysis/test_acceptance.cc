@@ -41,7 +41,8 @@ namespace
       one.primal  = history.primal();
       one.motions = history.free_motions();
       one.after   = history;
-      w = model.elasticity().expand({&one.load}, {one.primal}).front();
+      w           = contact::shared(
+        model.elasticity().expand({&one.load}, {one.primal}).front());
       return one;
     }
 
@@ -59,7 +60,7 @@ namespace
     std::unique_ptr<application::Scene> scene;
     ContactModel                        model;
     Acceptance                          acceptance;
-    Eigen::VectorXd                     w; ///< deformation of the last one
+    contact::SharedVector               w; ///< deformation of the last one
 
   private:
     void
@@ -170,7 +171,7 @@ TEST(Acceptance, DisplacementsAreRigidMotionAndDeformation)
   Increments            increments(pressed);
   PendingIncrement      one = increments.next();
   const Eigen::VectorXd u =
-    increments.acceptance.displacements(one, increments.w);
+    increments.acceptance.displacements(one, *increments.w);
   EXPECT_NEAR(u[4], 0, 1e-16);
   EXPECT_NEAR(u[5], -.02, 1e-16);
   EXPECT_NEAR(u[1], 0, 1e-16); // the feet stand on the floor

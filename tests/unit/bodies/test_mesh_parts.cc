@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/bodies/continuum/boundary_faces.h"
+#include "conetact/bodies/continuum/halved_cells.h"
 #include "conetact/bodies/continuum/point_search.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -42,8 +43,56 @@ namespace
             mesh.nodes_of_cells.push_back(nodes[v]);
             mesh.nodes[nodes[v]] = at[v];
           }
+        mesh.material_ids.push_back(static_cast<int>(cell->material_id()));
       }
     return mesh;
+  }
+
+  /** An L of cells, some of another material. */
+  template <int dim>
+  std::unique_ptr<dealii::Triangulation<dim>>
+  bent_bar(const unsigned int n_refinements)
+  {
+    auto mesh = std::make_unique<dealii::Triangulation<dim>>();
+    dealii::GridGenerator::hyper_L(*mesh, -1., 1., true);
+    mesh->begin_active()->set_material_id(3);
+    dealii::GridTools::distort_random(.1, *mesh, true, 1);
+    mesh->refine_global(n_refinements);
+    return mesh;
+  }
+
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  nodes_of_faces(const BoundaryFaces<dim> &faces,
+                 const ContinuumMesh<dim> &mesh,
+                 const unsigned int        id)
+  {
+    std::vector<std::vector<unsigned int>> nodes;
+    faces.for_each(mesh, {id}, [&](const auto &face, const auto &) {
+      nodes.push_back(face.nodes);
+    });
+    return nodes;
+  }
+
+  template <int dim>
+  void
+  halve_the_bar()
+  {
+    const Discretization<dim> body(bent_bar<dim>(1)), refined(bent_bar<dim>(2));
+    const ContinuumMesh<dim>  mesh = halved(arrays_of(body)),
+                             same  = arrays_of(refined);
+    EXPECT_EQ(mesh.nodes_of_cells, same.nodes_of_cells);
+    ASSERT_EQ(mesh.nodes.size(), same.nodes.size());
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      EXPECT_NEAR(mesh.nodes[i].distance(same.nodes[i]), 0, 1e-15);
+    ASSERT_EQ(mesh.material_ids.size(), same.material_ids.size());
+    for (std::size_t c = 0; c < mesh.n_cells(); ++c)
+      EXPECT_EQ(mesh.material_ids[c], same.material_ids[c]);
+    const BoundaryFaces<dim> faces(body, &mesh), of_refined(refined);
+    EXPECT_EQ(faces.ids(), of_refined.ids());
+    for (const unsigned int id : faces.ids())
+      EXPECT_EQ(nodes_of_faces(faces, mesh, id),
+                nodes_of_faces(of_refined, same, id));
   }
 
   template <int dim>
@@ -108,4 +157,10 @@ TEST(MeshParts, AreEnoughToIntegrateOverCellsAndFaces)
 {
   integrate_over_the_box<2>();
   integrate_over_the_box<3>();
+}
+
+TEST(MeshParts, HalvedAreThoseOfAnotherRefinement)
+{
+  halve_the_bar<2>();
+  halve_the_bar<3>();
 }

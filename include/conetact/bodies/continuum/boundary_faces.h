@@ -4,6 +4,7 @@
 #ifndef conetact_bodies_continuum_boundary_faces_h
 #define conetact_bodies_continuum_boundary_faces_h
 
+#include "conetact/bodies/continuum/boundary_face.h"
 #include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/discretization.h"
 #include "conetact/bodies/continuum/node_mapping.h"
@@ -19,16 +20,11 @@ namespace conetact::bodies
   class BoundaryFaces
   {
   public:
-    struct Face
-    {
-      unsigned int              id;      ///< boundary id
-      unsigned int              active;  ///< index of its cell
-      unsigned int              number;  ///< in the cell
-      std::vector<unsigned int> nodes;   ///< in deal.II's order of faces
-      std::vector<unsigned int> in_cell; ///< their places among the cell's
-    };
+    using Face = BoundaryFace;
 
-    explicit BoundaryFaces(const Discretization<dim> &body);
+    /** Of a body, or of the mesh that its halved cells are. */
+    explicit BoundaryFaces(const Discretization<dim> &body,
+                           const ContinuumMesh<dim>  *halved_mesh = nullptr);
 
     BoundaryIds
     ids() const;

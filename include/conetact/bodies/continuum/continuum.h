@@ -55,13 +55,15 @@ namespace conetact::bodies
     /**
      * Of several materials: ids of cells are their places in the list. `groups`
      * are the boundary ids that have names, `nodes` bend cells of second
-     * degree.
+     * degree. What `is_to_be_halved` is halved(), and the finished mesh is
+     * forgotten.
      */
     Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
               const std::vector<ElasticMaterial>              &materials,
               const ElementRow<dim>                           &row,
               const MeshGroups                                &groups,
-              const CellNodes<dim>                            &nodes = {});
+              const CellNodes<dim>                            &nodes = {},
+              const bool is_to_be_halved                             = false);
     ~Continuum() override;
 
     unsigned int
@@ -155,8 +157,9 @@ namespace conetact::bodies
     Extent<dim>       extent;
     const char       *element_name;
     CellMatrices<dim> matrices;
-    /** Those that were asked for: a contact asks for its sides many times. */
-    mutable std::map<BoundaryIds, Surface> surfaces;
+    /** Those that were asked for twice: a contact asks for its sides many
+     * times, others once. */
+    mutable std::map<BoundaryIds, std::optional<Surface>> surfaces;
   };
 } // namespace conetact::bodies
 

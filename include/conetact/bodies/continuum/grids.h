@@ -18,7 +18,8 @@ namespace conetact::bodies
    * Its cells are straight-edged; hanging vertices lie on the straight edges
    * and faces of their coarser neighbours. `groups` are those that a file
    * names; they give zones their ids. `nodes` are those of a file of second
-   * order, moved along. Throws InputError.
+   * order, moved along. The last refinement of all cells may be left to
+   * halved(), see MeshParameters::is_to_be_halved. Throws InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>

@@ -61,6 +61,9 @@ namespace conetact::bodies
     bool                     second_order = false; ///< cells may be bent
     std::vector<BoundaryTag> tags;        ///< of faces, by their centres
     Refinements              refinements; ///< of tagged meshes
+    /** Whether make_mesh() has left one refinement of all cells, of which
+     * deal.II need not know, to halved(). */
+    bool is_to_be_halved = false;
 
     /** A point of the mesh as generated or read, scaled, rotated, moved. */
     dealii::Point<3>
