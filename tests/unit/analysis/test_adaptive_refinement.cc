@@ -16,7 +16,20 @@ using namespace conetact::test;
 
 namespace
 {
-  const std::string square = "Generator = hyper_cube|Arguments = 0:1:true|";
+  /** A unit square or cube of cells that will be refined. */
+  std::unique_ptr<Structure>
+  cube(const unsigned int dim)
+  {
+    dealii::ParameterHandler prm;
+    declare_body(prm);
+    prm.parse_input_from_string(
+      "subsection Mesh\n" +
+      lines("Generator = hyper_cube|Arguments = 0:1:true|"
+            "Global refinements = 2") +
+      "\nend\nsubsection Material\n" +
+      lines("Young modulus = 5|Poisson ratio = 0.3|Thickness = 3") + "\nend\n");
+    return create_body(prm, dim, "", "block", Refinements(1));
+  }
 
   Field
   kink(const double at)
@@ -43,10 +56,7 @@ TEST(Refinement, ErrorsAreJumpsOfTheGradient)
 {
   for (const unsigned int dim : {2, 3})
     {
-      const auto  body   = make_body(dim,
-                                  square + "Global refinements = 2",
-                                  "Young modulus = 5|Poisson ratio = 0.3|"
-                                     "Thickness = 3");
+      const auto  body   = cube(dim);
       const Field linear = [](const Point<3> &p) {
         return Tensor<1, 3>({p[0] + p[1], 2 * p[1], p[0]});
       };
