@@ -327,7 +327,7 @@ namespace conetact
   give_back_memory()
   {
 #ifdef __GLIBC__
-    constexpr std::size_t worth_it = 8u << 20;
+    constexpr std::size_t worth_it = 32u << 20;
     if (mallinfo2().fordblks > worth_it)
       malloc_trim(0);
 #endif
